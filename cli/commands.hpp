@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+// One plain options struct and one function per subcommand. arguments.cpp fills the structs (the
+// only file that includes CLI11); each subcommand has a file of its own; all of them throw
+// files::Error, and only main turns that into an exit code.
+namespace shakebed::cli {
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> set;                 ///< "base.drive.W=30"
+  std::optional<std::filesystem::path> output;  ///< run file (HDF5)
+  std::optional<std::string> json;              ///< path, or "-" for standard output
+};
+int run_command(const RunOptions& options);
+
+struct CheckOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> set;
+  bool keys = false;    ///< print the table of scene keys instead
+  bool schema = false;  ///< print the JSON schema instead
+};
+int check_command(const CheckOptions& options);
+
+struct SweepOptions {
+  std::filesystem::path sweep;
+  std::string profile = "quick";
+  std::optional<std::filesystem::path> cache;  ///< else SHAKEBED_CACHE, else build/cache
+  int jobs = 0;                                ///< 0: all cores
+  std::optional<std::filesystem::path> csv;    ///< collect: file; standard output without it
+};
+int sweep_run_command(const SweepOptions& options);
+int sweep_status_command(const SweepOptions& options);
+int sweep_collect_command(const SweepOptions& options);
+
+struct FitOptions {
+  std::filesystem::path fit;
+  std::optional<std::filesystem::path> data;  ///< overrides the fit file's table
+  std::optional<std::filesystem::path> csv;   ///< parameters; standard output without it
+};
+int fit_command(const FitOptions& options);
+
+struct FigureOptions {
+  std::string id;  ///< "bhateja2016-fig02"
+  std::filesystem::path specification;
+  std::vector<std::filesystem::path> tables;
+  std::filesystem::path output_folder;
+};
+int figure_command(const FigureOptions& options);
+
+struct ExportOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> set;
+  std::string format = "lammps-deck";
+  std::optional<std::filesystem::path> output;
+};
+int export_command(const ExportOptions& options);
+
+struct NetworkOptions {
+  std::optional<std::filesystem::path> snapshot;
+  std::optional<std::filesystem::path> grains;
+  std::optional<std::filesystem::path> contacts;
+  int passes = 5;
+  double elongation = 1.2;
+  std::optional<std::string> json;
+  std::optional<std::filesystem::path> csv_folder;
+};
+int network_command(const NetworkOptions& options);
+
+}  // namespace shakebed::cli

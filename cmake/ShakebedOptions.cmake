@@ -1,0 +1,29 @@
+# Flags every target of ours shares. Targets of ours link shakebed_flags (PRIVATE).
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+set(SHAKEBED_MACHINE "native" CACHE STRING
+  "-march of the build: native (this machine) or x86-64-v3 (portable; makes the shipped data)")
+option(SHAKEBED_WERROR "Warnings are errors on our targets" ON)
+
+add_library(shakebed_flags INTERFACE)
+target_include_directories(shakebed_flags INTERFACE "${CMAKE_SOURCE_DIR}")
+target_compile_options(shakebed_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  $<$<BOOL:${SHAKEBED_WERROR}>:-Werror>
+  -march=${SHAKEBED_MACHINE}
+  # The same binary must give the same bytes on every run: no contraction across statements.
+  -ffp-contract=off)
+
+set(SHAKEBED_SANITIZE "" CACHE STRING "Sanitizers, for instance address,undefined or thread")
+if(SHAKEBED_SANITIZE)
+  target_compile_options(shakebed_flags INTERFACE
+    -fsanitize=${SHAKEBED_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(shakebed_flags INTERFACE -fsanitize=${SHAKEBED_SANITIZE})
+endif()

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/error.hpp"
+
+namespace shakebed::files {
+
+struct CsvColumn {
+  std::string name;  ///< "T_z_scaled"
+  std::string unit;  ///< "m V_p^2"; empty for words, "1" for pure numbers
+};
+
+/// A table in memory and as a file. On disk: `# key: value` provenance lines, one header line of
+/// `name [unit]` cells, then rows; numbers in shortest form that reads back to the same double;
+/// a missing value is an empty cell and reads as NaN.
+class CsvTable {
+ public:
+  CsvTable() = default;
+  explicit CsvTable(std::vector<CsvColumn> columns) : columns_(std::move(columns)) {}
+
+  std::vector<std::string> provenance;  ///< lines without the leading "# "
+
+  const std::vector<CsvColumn>& columns() const { return columns_; }
+  std::size_t rows() const { return cells_.size(); }
+  bool has_column(std::string_view name) const;
+  /// Throws Error(bad_input) naming the table and the nearest column when there is none.
+  std::size_t column(std::string_view name) const;
+
+  void add_row(std::vector<std::string> cells);  ///< throws when the count does not fit
+  const std::string& text(std::size_t row, std::size_t column) const;
+  double number(std::size_t row, std::size_t column) const;  ///< NaN for an empty cell
+  std::vector<double> numbers(std::string_view column_name) const;
+
+  std::string to_text() const;
+  void write(const std::filesystem::path& file) const;  ///< temporary file, fsync, rename
+  static CsvTable read(const std::filesystem::path& file);
+
+  std::string name = "table";  ///< the file it was read from, for error messages
+
+ private:
+  std::vector<CsvColumn> columns_;
+  std::vector<std::vector<std::string>> cells_;
+};
+
+/// Shortest decimal text that reads back to the same double; empty for NaN.
+std::string number_text(double value);
+
+}  // namespace shakebed::files

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shakebed::simulator {
+
+/// The base moves as z_b(t) = A sin(omega t).
+struct Drive {
+  double amplitude = 1;          ///< A [d]
+  double angular_frequency = 1;  ///< omega [sqrt(g/d)]
+
+  double peak_velocity() const { return amplitude * angular_frequency; }  ///< V_p [sqrt(g d)]
+  double period() const { return 2 * M_PI / angular_frequency; }          ///< [sqrt(d/g)]
+};
+
+enum class NormalLaw { linear_spring_dashpot };
+enum class TangentialLaw { frictionless, viscous_coulomb };
+enum class TangentialDamping { as_normal, critical, value };
+enum class Engine { automatic, uniform, events };
+
+/// One bed as the user asked for it, in reduced units (grain diameter d = 1, grain mass m = 1,
+/// time sqrt(d/g)). Reading fills every member; `auto` stays an empty optional.
+struct Scene {
+  int dimension = 3;   ///< 2 or 3; two dimensions are x and z, and grains are spheres there too
+  double gravity = 1;  ///< 1, or 0
+
+  struct Grains {
+    int count = 0;
+    double layers = 0;  ///< N = count d^2 / (L_x L_y) in 3D, count d / L_x in 2D
+    double restitution = 0.9;
+    double friction = 0;
+  } grains;
+
+  std::vector<double> cell;  ///< periodic lateral widths [d]; dimension - 1 of them
+
+  struct Base {
+    Drive drive;
+    double restitution = 0.9;
+    double friction = 0;
+  } base;
+
+  struct Contact {
+    NormalLaw normal = NormalLaw::linear_spring_dashpot;
+    std::optional<double> stiffness;  ///< k_n [m g/d]; empty: from the overlap target
+    TangentialLaw tangential = TangentialLaw::frictionless;
+    TangentialDamping damping = TangentialDamping::as_normal;
+    double damping_value = 0;  ///< c_t [m sqrt(g/d)] when damping is a number
+  } contact;
+
+  struct Precision {
+    std::string quantity;  ///< "T_z", ...
+    double fraction;       ///< 0.01 for "1 %": standard error over mean
+  };
+
+  struct Protocol {
+    std::optional<double> settle;    ///< time given to settle [sqrt(d/g)]; empty: until at rest
+    std::optional<long> transient;   ///< cycles discarded; empty: from W and A/d
+    std::optional<long> cycles;      ///< cycles measured ...
+    std::optional<Precision> until;  ///< ... or until a quantity is known, with
+    long at_most = 20000;            ///< a cap on the cycles measured
+    double time_step_fraction = 0.02;     ///< dt / t_c
+    bool allow_coarse_time_step = false;  ///< accept dt > t_c/5
+    Engine engine = Engine::automatic;
+  } protocol;
+
+  std::uint64_t seed = 1;
+
+  double W() const {  ///< V_p^2/(d g)
+    const double v = base.drive.peak_velocity();
+    return v * v / gravity;
+  }
+  double Gamma() const {  ///< A omega^2/g
+    return base.drive.amplitude * base.drive.angular_frequency * base.drive.angular_frequency /
+           gravity;
+  }
+  double cell_area() const {  ///< L_x L_y [d^2] in 3D, L_x [d] in 2D
+    double area = 1;
+    for (const double width : cell) area *= width;
+    return area;
+  }
+};
+
+}  // namespace shakebed::simulator
