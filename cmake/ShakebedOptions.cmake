@@ -11,19 +11,24 @@ endif()
 set(SHAKEBED_MACHINE "native" CACHE STRING
   "-march of the build: native (this machine) or x86-64-v3 (portable; makes the shipped data)")
 option(SHAKEBED_WERROR "Warnings are errors on our targets" ON)
+set(SHAKEBED_SANITIZE "" CACHE STRING "Sanitizers, for instance address,undefined or thread")
+set(SHAKEBED_PRESET "none" CACHE STRING "The preset's name, for the provenance of results")
+
+# Flags that can change numbers; build_info reports them with every result. The same binary must
+# give the same bytes on every run: no contraction across statements, and no fast-math anywhere.
+set(SHAKEBED_CODE_FLAGS -march=${SHAKEBED_MACHINE} -ffp-contract=off)
+if(SHAKEBED_SANITIZE)
+  list(APPEND SHAKEBED_CODE_FLAGS -fsanitize=${SHAKEBED_SANITIZE} -fno-omit-frame-pointer)
+endif()
 
 add_library(shakebed_flags INTERFACE)
 target_include_directories(shakebed_flags INTERFACE "${CMAKE_SOURCE_DIR}")
 target_compile_options(shakebed_flags INTERFACE
+  ${SHAKEBED_CODE_FLAGS}
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   $<$<BOOL:${SHAKEBED_WERROR}>:-Werror>
-  -march=${SHAKEBED_MACHINE}
-  # The same binary must give the same bytes on every run: no contraction across statements.
-  -ffp-contract=off)
-
-set(SHAKEBED_SANITIZE "" CACHE STRING "Sanitizers, for instance address,undefined or thread")
+  # Instrumented code hides from g++ 12 that variables are set.
+  $<$<BOOL:${SHAKEBED_SANITIZE}>:-Wno-maybe-uninitialized>)
 if(SHAKEBED_SANITIZE)
-  target_compile_options(shakebed_flags INTERFACE
-    -fsanitize=${SHAKEBED_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(shakebed_flags INTERFACE -fsanitize=${SHAKEBED_SANITIZE})
 endif()
