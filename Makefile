@@ -1,0 +1,89 @@
+# A thin front of CMake; `make help` lists it. Any other word is a CMake target:
+#   make bhateja2016-fig08        make PROFILE=paper bhateja2016-fig02
+PROFILE ?= quick
+ROOMS := files simulator sweeps fitting figures cli
+PRESETS := release portable debug asan-ubsan tsan bench
+
+MAKEFLAGS += --no-builtin-rules
+.NOTPARALLEL:  # ninja spreads the work; two of them in one folder would fight
+.SUFFIXES:
+.DEFAULT_GOAL := main-job
+
+# Both profiles of every chain are declared in CMake, so switching between them rebuilds nothing.
+ifeq ($(PROFILE),quick)
+  suffix :=
+else ifeq ($(PROFILE),paper)
+  suffix := -paper
+else
+  $(error PROFILE is quick or paper, not "$(PROFILE)")
+endif
+with_profile = $1$(if $(filter main-job claims report bhateja2016-% sun2006-%,$1),$(suffix))
+
+sources = $(shell git ls-files -- '*.cpp' '*.hpp')
+
+.PHONY: main-job
+main-job: build/release/.configured  ## (default) Bhateja 2016: sweep, fits, Fig. 2, Fig. 8, Table III
+	cmake --build --preset release --target $(call with_profile,$@)
+
+.PHONY: build
+build: build/release/.configured  ## everything, tests included
+	cmake --build --preset release
+
+.PHONY: test
+test: build  ## build and pass the default tests (CTEST_ARGS="-R store" chooses)
+	ctest --preset release --parallel $(shell nproc) $(CTEST_ARGS)
+
+.PHONY: test-oracle
+test-oracle: build  ## the same scenes in LAMMPS; skipped with the reason where lmp is missing
+	ctest --preset oracle $(CTEST_ARGS)
+
+.PHONY: $(PRESETS:%=test-%)
+$(PRESETS:%=test-%): test-%: build/%/.configured
+	cmake --build --preset $*
+	ctest --preset $* --parallel $(shell nproc) $(CTEST_ARGS)
+
+.PHONY: bench
+bench: build/bench/.configured  ## speed, as ratios to what runs beside it
+	cmake --build --preset bench --target run-bench
+
+.PHONY: claims report refit
+claims report:  ## the papers' claims and our verdicts; the report of all figures
+refit:  ## refit and replot everything from data/, without running a bed
+claims report refit: build/release/.configured
+	cmake --build --preset release --target $(call with_profile,$@)
+
+.PHONY: packages deps deps-oracle
+packages:
+	@$(if $(SKIP_PACKAGES),:,cmake/packages.sh apt.txt)
+deps:  ## install missing packages of apt.txt (as root; else print the line to run)
+	@cmake/packages.sh apt.txt
+deps-oracle:  ## the same for apt-optional.txt (lammps)
+	@cmake/packages.sh apt-optional.txt
+
+.PHONY: configure
+configure: build/release/.configured  ## packages and CMake alone
+
+build/%/.configured: CMakePresets.json | packages
+	cmake --preset $*
+	@touch $@
+
+.PHONY: format tidy
+format:  ## clang-format every source
+	clang-format -i $(sources)
+tidy: build/release/.configured  ## clang-tidy over the rooms
+	run-clang-tidy -quiet -p build/release '$(CURDIR)/($(subst $() ,|,$(ROOMS)))/'
+
+.PHONY: clean
+clean:  ## remove the builds (results stay in build/cache and out/)
+	rm -rf $(PRESETS:%=build/%)
+
+.PHONY: help
+help:  ## this list
+	@awk -F ':.*## ' '/^[a-z][^=]*:.*## / { printf "  make %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@echo "  make test-PRESET     the default tests in another build: debug, asan-ubsan, tsan, portable"
+	@echo "  make TARGET          any CMake target, for instance bhateja2016-fig08"
+	@echo "  PROFILE=quick|paper  how much to simulate (now $(PROFILE))"
+
+.DEFAULT:
+	@$(MAKE) --no-print-directory configure
+	cmake --build --preset release --target $(call with_profile,$@)
