@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,11 +44,17 @@ class CsvTable {
   std::string name = "table";  ///< the file it was read from, for error messages
 
  private:
+  std::string place(std::size_t row) const;  ///< "data.csv:7", or "table: row 3" in memory
+
   std::vector<CsvColumn> columns_;
   std::vector<std::vector<std::string>> cells_;
+  std::vector<std::size_t> lines_;  ///< line of each row in the file it was read from
 };
 
 /// Shortest decimal text that reads back to the same double; empty for NaN.
 std::string number_text(double value);
+
+/// The double that the whole of `text` spells in decimal, or nothing. Out of range is nothing too.
+std::optional<double> number_from_text(std::string_view text);
 
 }  // namespace shakebed::files

@@ -13,6 +13,8 @@
 
 namespace shakebed::files {
 
+struct YamlTree;
+
 /// A node of a YAML file that knows its place and refuses what yaml-cpp lets pass: duplicate
 /// keys, merge keys, octal-looking integers, several documents, wrong types, unknown keys.
 /// Every refusal is an Error(bad_input) whose `where` is "file:line:column" (1-based).
@@ -22,18 +24,22 @@ class YamlNode {
 
   static YamlNode load_file(const std::filesystem::path& file);
   static YamlNode load_text(std::string_view text, std::string name);
+  /// As above, but what still leaves a readable tree (duplicate and merge keys, anchors, tags) goes
+  /// to `faults`, so that a reader can report it together with its own findings.
+  static YamlNode load_text(std::string_view text, std::string name, std::vector<Fault>& faults);
 
   Kind kind() const;
   bool is_map() const { return kind() == Kind::map; }
   bool is_sequence() const { return kind() == Kind::sequence; }
   bool is_scalar() const { return kind() == Kind::scalar; }
 
-  std::string where() const;        ///< "file:line:column"
+  std::string where() const;                          ///< "file:line:column"
+  std::string key_where(std::string_view key) const;  ///< of the key itself, in a map
   const std::string& path() const;  ///< dotted path of keys from the root: "base.drive.W"
 
   bool has(std::string_view key) const;
-  YamlNode at(std::string_view key) const;                   ///< throws when the key is missing
-  std::optional<YamlNode> find(std::string_view key) const;  ///< nullopt when it is missing
+  YamlNode at(std::string_view key) const;                      ///< throws when the key is missing
+  std::optional<YamlNode> find(std::string_view key) const;     ///< nullopt when it is missing
   std::vector<std::pair<std::string, YamlNode>> items() const;  ///< a map's, in file order
   std::vector<YamlNode> elements() const;                       ///< a sequence's
 
@@ -57,9 +63,8 @@ class YamlNode {
   std::string to_text() const;  ///< the tree as block YAML, keys in file order
 
  private:
-  struct Tree;
-  std::shared_ptr<const Tree> tree_;
-  explicit YamlNode(std::shared_ptr<const Tree> tree) : tree_(std::move(tree)) {}
+  std::shared_ptr<const YamlTree> tree_;
+  explicit YamlNode(std::shared_ptr<const YamlTree> tree) : tree_(std::move(tree)) {}
 };
 
 /// The word of `known` with the smallest edit distance to `word`, when it is near enough to help.
