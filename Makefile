@@ -17,7 +17,7 @@ else ifeq ($(PROFILE),paper)
 else
   $(error PROFILE is quick or paper, not "$(PROFILE)")
 endif
-with_profile = $1$(if $(filter main-job claims report bhateja2016-% sun2006-%,$1),$(suffix))
+with_profile = $1$(if $(filter main-job claims report sweep-% fit-% bhateja2016-% sun2006-%,$1),$(suffix))
 
 sources = $(shell git ls-files -- '*.cpp' '*.hpp')
 
@@ -74,7 +74,7 @@ tidy: build/release/.configured  ## clang-tidy over the rooms
 	run-clang-tidy -quiet -p build/release '$(CURDIR)/($(subst $() ,|,$(ROOMS)))/'
 
 .PHONY: clean
-clean:  ## remove the builds (results stay in build/cache and out/)
+clean:  ## remove the builds (finished beds stay in build/cache)
 	rm -rf $(PRESETS:%=build/%)
 
 .PHONY: help
