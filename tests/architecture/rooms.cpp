@@ -32,7 +32,7 @@ const std::vector<Room>& rooms() {
        .posix = false},
       {.folder = "figures/",
        .ours = {"files/", "fitting/", "figures/"},
-       .packages = {},
+       .packages = {"openssl/"},
        .posix = true},
       {.folder = "cli/",
        .ours = {"files/", "simulator/", "sweeps/", "fitting/", "figures/", "cli/"},
