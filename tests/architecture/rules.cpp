@@ -124,7 +124,7 @@ std::vector<Source> read_sources(const std::filesystem::path& root) {
     const fs::path path = entry->path().lexically_relative(root);
     const std::string name = path.filename().string();
     if (entry->is_directory()) {
-      const bool not_ours = name.starts_with(".") || path == "build" || path == "out";
+      const bool not_ours = name.starts_with(".") || path == "build";
       if (not_ours) entry.disable_recursion_pending();
       continue;
     }
