@@ -13,15 +13,24 @@ namespace shakebed::simulator {
 struct Override {
   std::string path;
   std::string value;
+  std::string origin = {};  ///< named in errors; empty: "--set base.drive.W=30"
 };
 
-/// Reads and checks a scene (schema 1). All faults are collected in one pass and thrown as one
-/// files::Error(bad_input) with file:line:column each.
-///
-/// Overrides are applied before checking. Setting one of several equivalent keys replaces the
-/// others: a drive rate (W, Gamma, frequency, angular_frequency, frequency_rpm) replaces the other
-/// rate beside an amplitude; grains.layers and grains.count replace each other, and so do
-/// measure.cycles and measure.until.
+/// Splits "base.drive.W=30" at its first '='. Throws files::Error(bad_input) without one.
+std::vector<Override> parse_overrides(const std::vector<std::string>& settings);
+
+/// Applies overrides in their order. A value below a word or below nothing makes the maps on its
+/// way (protocol.transient.cycles=5 replaces `transient: auto`). Equivalent keys:
+///  - grains.layers and grains.count, cell and cell_mm, units.diameter and grains.diameter_mm,
+///    protocol.measure.cycles and protocol.measure.until with at_most, and the quantities of until
+///    replace each other, the last one set wins;
+///  - of base.drive, one key set replaces the scene's key that says the same: an amplitude the
+///    other amplitude, a rate (W, Gamma, or a frequency) the rate that stands beside the amplitude;
+///    two keys set replace both of the scene's, so that W and Gamma set together both count.
+files::YamlNode with_overrides(files::YamlNode root, const std::vector<Override>& overrides);
+
+/// Reads and checks a scene (schema 1), overrides applied first. All faults are collected in one
+/// pass and thrown as one files::Error(bad_input) with file:line:column each.
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 Scene read_scene(const files::YamlNode& root, const std::vector<Override>& overrides = {});
 

@@ -57,12 +57,12 @@ struct Scene {
   };
 
   struct Protocol {
-    std::optional<double> settle;    ///< time given to settle [sqrt(d/g)]; empty: until at rest
-    std::optional<long> transient;   ///< cycles discarded; empty: from W and A/d
-    std::optional<long> cycles;      ///< cycles measured ...
-    std::optional<Precision> until;  ///< ... or until a quantity is known, with
-    long at_most = 20000;            ///< a cap on the cycles measured
-    double time_step_fraction = 0.02;     ///< dt / t_c
+    std::optional<double> settle;      ///< time given to settle [sqrt(d/g)]; empty: until at rest
+    std::optional<long> transient;     ///< cycles discarded; empty: from W and A/d
+    std::optional<long> cycles;        ///< cycles measured ...
+    std::optional<Precision> until;    ///< ... or until a quantity is known, with
+    long at_most = 20000;              ///< a cap on the cycles measured
+    double time_step_fraction = 0.02;  ///< dt / t_c
     bool allow_coarse_time_step = false;  ///< accept dt > t_c/5
     Engine engine = Engine::automatic;
   } protocol;

@@ -1,0 +1,236 @@
+#include "simulator/scene/admissible.hpp"
+
+#include <cmath>
+
+#include "files/csv.hpp"
+
+namespace shakebed::simulator {
+
+namespace {
+
+using files::number_text;
+
+constexpr double standard_gravity = 9.81;       // m/s2, when units.gravity is not given
+constexpr double narrowest_cell = 2.2;          // d, as in the table of keys
+constexpr double coarse_time_step = 0.2;        // of t_c
+constexpr double whole_count_tolerance = 1e-6;  // relative; layers are written with few digits
+const std::vector<std::string> until_quantities{"T_z", "T_x", "T_y", "T"};
+
+std::optional<double> diameter_from(SceneValues& values) {
+  if (values.given("units.diameter") && values.given("grains.diameter_mm")) {
+    values.report("grains.diameter_mm",
+                  "`grains.diameter_mm` and `units.diameter` say the same thing; keep one");
+  }
+  const auto unit = values.number("units.diameter");
+  return unit ? unit : values.number("grains.diameter_mm");
+}
+
+std::vector<double> cell_from(SceneValues& values, std::optional<double> diameter_mm) {
+  if (values.given("cell") == values.given("cell_mm")) {
+    values.report("cell", values.given("cell") ? "`cell` and `cell_mm` are both given; keep one"
+                                               : "the key `cell` is missing: the periodic "
+                                                 "lateral widths, such as [5, 5] in 3D or [10] in "
+                                                 "2D (or `cell_mm`)");
+    return {};
+  }
+  if (const auto widths = values.numbers("cell")) return *widths;
+  std::vector<double> widths = values.numbers("cell_mm").value_or(std::vector<double>{});
+  if (!widths.empty() && !diameter_mm) {
+    values.report("cell_mm",
+                  "`cell_mm` has a physical unit, so the scene must say how large a "
+                  "grain is: units: {diameter: 5 mm}");
+    return {};
+  }
+  for (double& width : widths) {
+    width /= *diameter_mm;
+    if (width < narrowest_cell) {
+      values.report("cell_mm", "`cell_mm` comes to " + number_text(width) +
+                                   " d; a cell must be at least 2.2 d wide");
+    }
+  }
+  return widths;
+}
+
+void check_cell_dimension(SceneValues& values, const Scene& scene) {
+  const bool known = values.integer("dimension").has_value() && !scene.cell.empty();
+  const auto wanted = static_cast<std::size_t>(scene.dimension - 1);
+  if (!known || scene.cell.size() == wanted) return;
+  const std::string path = values.given("cell") ? "cell" : "cell_mm";
+  values.report(path, "`" + path + "`: expected " + std::to_string(wanted) +
+                          (wanted == 1 ? " width" : " widths") + " in dimension " +
+                          std::to_string(scene.dimension) + ", got " +
+                          std::to_string(scene.cell.size()));
+}
+
+/// N = count d^2/(L_x L_y), or count d/L_x in 2D: one from the other.
+void count_and_layers(SceneValues& values, Scene& scene) {
+  if (values.given("grains.count") == values.given("grains.layers")) {
+    values.report("grains", values.given("grains.count")
+                                ? "`grains.count` and `grains.layers` are both given; keep one"
+                                : "`grains` needs `layers` or `count`");
+    return;
+  }
+  if (scene.cell.empty()) return;
+  const double area = scene.cell_area();
+  if (const auto layers = values.number("grains.layers")) {
+    const double count = *layers * area;
+    const double nearest = std::max(1.0, std::round(count));
+    if (std::abs(count - nearest) > whole_count_tolerance * nearest) {
+      values.report("grains.layers", "`grains.layers`: " + number_text(*layers) +
+                                         " layers on this cell come to " + number_text(count) +
+                                         " grains; write count: " + number_text(nearest) +
+                                         ", which is " + number_text(nearest / area) + " layers");
+    } else if (nearest > 1e6) {
+      values.report("grains.layers", "`grains.layers` comes to " + number_text(nearest) +
+                                         " grains; at most 1e6 are simulated");
+    }
+    scene.grains.count = static_cast<int>(std::min(nearest, 1e6));
+  } else if (const auto count = values.integer("grains.count")) {
+    scene.grains.count = static_cast<int>(*count);
+  }
+  scene.grains.layers = scene.grains.count / area;
+}
+
+TangentialLaw law_from(SceneValues& values, bool any_friction) {
+  const std::string path = "contact.tangential";
+  if (values.word(path)) return TangentialLaw::frictionless;  // the only word of that row
+  if (!values.given(path)) {
+    return any_friction ? TangentialLaw::viscous_coulomb : TangentialLaw::frictionless;
+  }
+  const auto law = values.word(path + ".law");
+  if (!law && !values.given(path + ".law")) {
+    values.report(path, "`contact.tangential` needs `law`: {law: viscous_coulomb, damping: c_n}");
+  }
+  if (law != "frictionless") return TangentialLaw::viscous_coulomb;
+  if (values.given(path + ".damping")) {
+    values.report(path + ".damping",
+                  "`contact.tangential.damping` means nothing to the law frictionless; remove it "
+                  "or write law: viscous_coulomb");
+  }
+  return TangentialLaw::frictionless;
+}
+
+void read_tangential(SceneValues& values, Scene& scene) {
+  auto& contact = scene.contact;
+  const bool any_friction = scene.grains.friction != 0 || scene.base.friction != 0;
+  contact.tangential = law_from(values, any_friction);
+  if (contact.tangential == TangentialLaw::frictionless) {
+    for (const std::string key : {"grains.friction", "base.friction"}) {
+      if (values.number(key).value_or(0) == 0) continue;
+      values.report(key, "`" + key +
+                             "` is not 0, but `contact.tangential` is frictionless; write "
+                             "tangential: {law: viscous_coulomb, damping: c_n}, or friction: 0");
+    }
+    return;
+  }
+  if (!any_friction) {
+    // A friction force bounded by 0 is none: the same bed must have the same canonical text.
+    contact.tangential = TangentialLaw::frictionless;
+    return;
+  }
+  const std::string damping = "contact.tangential.damping";
+  if (const auto value = values.number(damping)) {
+    contact.damping = TangentialDamping::value;
+    contact.damping_value = *value;
+  } else if (values.word(damping) == "critical") {
+    contact.damping = TangentialDamping::critical;
+  }
+}
+
+void read_measure(SceneValues& values, Scene& scene) {
+  const std::string measure = "protocol.measure";
+  auto& protocol = scene.protocol;
+  const bool cycles = values.given(measure + ".cycles");
+  if (cycles) {
+    protocol.cycles = values.integer(measure + ".cycles").value_or(1);
+    for (const std::string other : {".until", ".at_most"}) {
+      if (values.given(measure + other)) {
+        values.report(measure + other, "`" + measure + other +
+                                           "` and `protocol.measure.cycles` exclude each other; "
+                                           "keep one");
+      }
+    }
+    return;
+  }
+  protocol.at_most = values.integer(measure + ".at_most").value_or(protocol.at_most);
+  std::vector<std::string> wanted;
+  for (const auto& quantity : until_quantities) {
+    if (values.given(measure + ".until." + quantity)) wanted.push_back(quantity);
+  }
+  if (wanted.size() > 1 || (wanted.empty() && values.given(measure + ".until"))) {
+    values.report(measure + ".until",
+                  "`protocol.measure.until` takes exactly one quantity, such as "
+                  "{T_z: 1 %}");
+    return;
+  }
+  const std::string quantity = wanted.empty() ? "T_z" : wanted.front();
+  if (quantity == "T_y" && scene.dimension == 2) {
+    values.report(measure + ".until.T_y", "T_y is not part of a bed in 2 dimensions (x and z)");
+  }
+  protocol.until = {quantity, values.number(measure + ".until." + quantity).value_or(0.01)};
+}
+
+void read_protocol(SceneValues& values, Scene& scene) {
+  auto& protocol = scene.protocol;
+  protocol.settle = values.number("protocol.settle");
+  protocol.transient = values.integer("protocol.transient.cycles");
+  if (values.given("protocol.transient") && !values.word("protocol.transient") &&
+      !values.given("protocol.transient.cycles")) {
+    values.report("protocol.transient", "`protocol.transient` takes auto or {cycles: n}");
+  }
+  read_measure(values, scene);
+
+  const std::string fraction = "protocol.time_step.fraction_of_contact_duration";
+  protocol.time_step_fraction = values.number(fraction).value_or(protocol.time_step_fraction);
+  const bool coarse = protocol.time_step_fraction > coarse_time_step;
+  const bool allowed = values.boolean("protocol.time_step.allow_coarse").value_or(false);
+  if (coarse && !allowed) {
+    values.report(fraction, "a time step of " + number_text(protocol.time_step_fraction) +
+                                " t_c resolves a contact with fewer than 5 steps; write at most "
+                                "0.2, or allow_coarse: true beside it");
+  }
+  // Said of a fine step the permission changes nothing, so it is not part of the bed.
+  protocol.allow_coarse_time_step = coarse;
+
+  const auto engine = values.word("protocol.engine").value_or("auto");
+  if (engine == "uniform") protocol.engine = Engine::uniform;
+  if (engine == "events") protocol.engine = Engine::events;
+}
+
+void read_gravity(SceneValues& values, Scene& scene) {
+  const auto gravity = values.number("gravity");
+  if (!gravity || *gravity == 1) return;
+  scene.gravity = 1;
+  values.report("gravity", *gravity == 0
+                               ? "`gravity: 0` needs a lid over the bed, which this version does "
+                                 "not have; write gravity: 1"
+                               : "`gravity` is the unit of acceleration: 1 (a physical g is "
+                                 "units.gravity)");
+}
+
+}  // namespace
+
+Scene scene_from(SceneValues& values) {
+  Scene scene;
+  scene.dimension = static_cast<int>(values.integer("dimension").value_or(3));
+  read_gravity(values, scene);
+  const auto diameter_mm = diameter_from(values);
+  scene.cell = cell_from(values, diameter_mm);
+  check_cell_dimension(values, scene);
+  count_and_layers(values, scene);
+
+  scene.grains.restitution = values.number("grains.restitution").value_or(0.9);
+  scene.grains.friction = values.number("grains.friction").value_or(0);
+  scene.base.restitution = values.number("base.restitution").value_or(scene.grains.restitution);
+  scene.base.friction = values.number("base.friction").value_or(scene.grains.friction);
+  scene.base.drive =
+      drive_from(values, diameter_mm, values.number("units.gravity").value_or(standard_gravity));
+
+  scene.contact.stiffness = values.number("contact.stiffness");
+  read_tangential(values, scene);
+  read_protocol(values, scene);
+  scene.seed = static_cast<std::uint64_t>(values.integer("seed").value_or(1));
+  return scene;
+}
+
+}  // namespace shakebed::simulator

@@ -1,0 +1,430 @@
+#include "simulator/scene/keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "files/csv.hpp"
+
+namespace shakebed::simulator {
+
+namespace {
+
+using enum KeyType;
+using Words = std::vector<std::string_view>;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+constexpr Range any_value{};
+constexpr Range positive{0, unlimited, true, false};
+constexpr Range not_negative{0, unlimited, false, false};
+constexpr Range open_to_one{0, 1, true, false};
+
+constexpr Range from_to(double low, double high) { return {low, high, false, false}; }
+constexpr Range above_up_to(double low, double high) { return {low, high, true, false}; }
+
+const std::vector<Key>& table() {
+  static const std::vector<Key> keys{
+      {"scene", integer, "", any_value, {}, true, "", "schema of this file: 1"},
+      {"dimension",
+       integer,
+       "1",
+       from_to(2, 3),
+       {},
+       true,
+       "",
+       "2 (x and z; grains are spheres there too) or 3"},
+      {"gravity",
+       number,
+       "g",
+       from_to(0, 1),
+       {},
+       false,
+       "1",
+       "1 by the choice of units; 0 needs a lid, which this version does not have"},
+
+      {"grains.count", integer, "1", from_to(1, 1e6), {}, false, "this or layers", "grain count"},
+      {"grains.layers",
+       number,
+       "1",
+       above_up_to(0, 1e4),
+       {},
+       false,
+       "this or count",
+       "N = count d^2/(L_x L_y) in 3D, count d/L_x in 2D; must come to a whole grain count"},
+      {"grains.restitution",
+       number,
+       "1",
+       open_to_one,
+       {},
+       true,
+       "",
+       "normal restitution coefficient e_p between grains (e = 0 would take infinite damping)"},
+      {"grains.friction",
+       number,
+       "1",
+       from_to(0, 100),
+       {},
+       false,
+       "0",
+       "friction coefficient mu_p between grains"},
+      {"grains.diameter_mm",
+       number,
+       "mm",
+       positive,
+       {},
+       false,
+       "units.diameter",
+       "the grain diameter d, which turns keys with physical units into reduced ones"},
+
+      {"cell",
+       numbers,
+       "d",
+       from_to(2.2, 1e4),
+       {},
+       false,
+       "this or cell_mm",
+       "periodic lateral widths: [L_x, L_y] in 3D, [L_x] in 2D (below 2.2 d a grain would meet "
+       "another one and its image at once)"},
+      {"cell_mm",
+       numbers,
+       "mm",
+       positive,
+       {},
+       false,
+       "this or cell",
+       "the same in mm; needs the grain diameter"},
+
+      {"base.drive.W",
+       number,
+       "1",
+       positive,
+       {},
+       false,
+       "two of drive.*",
+       "V_p^2/(d g) with V_p = A omega; the base moves as z_b = A sin(omega t)"},
+      {"base.drive.Gamma", number, "1", positive, {}, false, "two of drive.*", "A omega^2/g"},
+      {"base.drive.frequency",
+       number,
+       "sqrt(g/d)",
+       positive,
+       {},
+       false,
+       "two of drive.*",
+       "f = omega/(2 pi)"},
+      {"base.drive.angular_frequency",
+       number,
+       "sqrt(g/d)",
+       positive,
+       {},
+       false,
+       "two of drive.*",
+       "omega"},
+      {"base.drive.frequency_rpm",
+       number,
+       "1/min",
+       positive,
+       {},
+       false,
+       "two of drive.*",
+       "f in cycles per minute; needs the grain diameter"},
+      {"base.drive.frequency_hz",
+       number,
+       "1/s",
+       positive,
+       {},
+       false,
+       "two of drive.*",
+       "f in cycles per second; needs the grain diameter"},
+      {"base.drive.amplitude", number, "d", positive, {}, false, "two of drive.*", "A"},
+      {"base.drive.amplitude_mm",
+       number,
+       "mm",
+       positive,
+       {},
+       false,
+       "two of drive.*",
+       "A in mm; needs the grain diameter"},
+      {"base.restitution",
+       number,
+       "1",
+       open_to_one,
+       {},
+       false,
+       "as grains.restitution",
+       "normal restitution coefficient e_w of the base"},
+      {"base.friction",
+       number,
+       "1",
+       from_to(0, 100),
+       {},
+       false,
+       "as grains.friction",
+       "friction coefficient of the base"},
+
+      {"contact.normal",
+       word,
+       "",
+       any_value,
+       {"linear_spring_dashpot"},
+       false,
+       "linear_spring_dashpot",
+       "F_n = k_n delta + c_n v_n with closing speed v_n, until the overlap is zero"},
+      {"contact.stiffness",
+       number,
+       "m g/d",
+       from_to(1, 1e15),
+       {"auto"},
+       false,
+       "auto",
+       "k_n of every contact; auto: from the overlaps to expect (docs of automatic_stiffness)"},
+      {"contact.tangential",
+       word,
+       "",
+       any_value,
+       {"frictionless"},
+       false,
+       "viscous_coulomb with damping c_n if any friction is set, else frictionless",
+       "frictionless, or a map with the keys below"},
+      {"contact.tangential.law",
+       word,
+       "",
+       any_value,
+       {"viscous_coulomb", "frictionless"},
+       false,
+       "needed in the map",
+       "viscous_coulomb: F_t = min(c_t v_t, mu F_n) against the slip velocity"},
+      {"contact.tangential.damping",
+       number,
+       "m sqrt(g/d)",
+       not_negative,
+       {"c_n", "critical"},
+       false,
+       "c_n",
+       "c_t: a number, or c_n (each contact kind's own c_n), or critical (2 sqrt(k_n m_eff))"},
+
+      {"protocol.settle",
+       number,
+       "sqrt(d/g)",
+       not_negative,
+       {"auto"},
+       false,
+       "auto",
+       "time for the grains to come to rest before the base moves; auto: until they are"},
+      {"protocol.transient",
+       word,
+       "",
+       any_value,
+       {"auto"},
+       false,
+       "auto",
+       "auto: several flights of the bed are let pass; or {cycles: n}"},
+      {"protocol.transient.cycles",
+       integer,
+       "cycles",
+       from_to(0, 1e9),
+       {},
+       false,
+       "auto",
+       "cycles discarded before measuring"},
+      {"protocol.measure.cycles",
+       integer,
+       "cycles",
+       from_to(1, 1e9),
+       {},
+       false,
+       "this or until",
+       "cycles measured"},
+      {"protocol.measure.until.T_z",
+       percent,
+       "%",
+       above_up_to(0, 50),
+       {},
+       false,
+       "1 %",
+       "measure until the standard error of T_z is this share of its mean"},
+      {"protocol.measure.until.T_x",
+       percent,
+       "%",
+       above_up_to(0, 50),
+       {},
+       false,
+       "",
+       "the same for T_x, in place of T_z"},
+      {"protocol.measure.until.T_y",
+       percent,
+       "%",
+       above_up_to(0, 50),
+       {},
+       false,
+       "",
+       "the same for T_y (3D), in place of T_z"},
+      {"protocol.measure.until.T",
+       percent,
+       "%",
+       above_up_to(0, 50),
+       {},
+       false,
+       "",
+       "the same for T, in place of T_z"},
+      {"protocol.measure.at_most",
+       integer,
+       "cycles",
+       from_to(1, 1e9),
+       {},
+       false,
+       "20000",
+       "cap on the cycles measured with until"},
+      {"protocol.time_step.fraction_of_contact_duration",
+       number,
+       "t_c",
+       above_up_to(0, 0.5),
+       {},
+       false,
+       "0.02",
+       "dt over the shortest contact duration t_c; above 0.1 a warning is given"},
+      {"protocol.time_step.allow_coarse",
+       boolean,
+       "",
+       any_value,
+       {},
+       false,
+       "false",
+       "accept dt above 0.2 t_c, where restitution is visibly off"},
+      {"protocol.engine",
+       word,
+       "",
+       any_value,
+       {"auto", "uniform", "events"},
+       false,
+       "auto",
+       "uniform: velocity Verlet with one step for all; events: free flights are skipped"},
+
+      {"seed",
+       integer,
+       "1",
+       not_negative,
+       {},
+       false,
+       "1",
+       "of the start positions and velocities; another seed is another replicate"},
+
+      {"units.diameter",
+       quantity,
+       "mm",
+       positive,
+       {},
+       false,
+       "",
+       "the grain diameter d in m, cm, mm or um; needed by keys with a physical unit"},
+      {"units.density",
+       quantity,
+       "kg/m3",
+       positive,
+       {},
+       false,
+       "",
+       "of the grains' material in kg/m3 or g/cm3; no reduced result depends on it"},
+      {"units.gravity",
+       quantity,
+       "m/s2",
+       positive,
+       {},
+       false,
+       "9.81 m/s2",
+       "g in m/s2 or cm/s2; needed by physical frequencies"},
+  };
+  return keys;
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  const bool above = low_open ? value > low : value >= low;
+  const bool below = high_open ? value < high : value <= high;
+  return above && below;
+}
+
+bool Range::bounded() const { return std::isfinite(low) || std::isfinite(high); }
+
+std::string Range::text() const {
+  if (!bounded()) return "";
+  if (!std::isfinite(high)) return (low_open ? "> " : ">= ") + files::number_text(low);
+  if (!std::isfinite(low)) return (high_open ? "< " : "<= ") + files::number_text(high);
+  return (low_open ? "(" : "[") + files::number_text(low) + ", " + files::number_text(high) +
+         (high_open ? ")" : "]");
+}
+
+const std::vector<Key>& scene_keys() { return table(); }
+
+const Key* find_scene_key(std::string_view path) {
+  const auto& keys = table();
+  const auto key =
+      std::find_if(keys.begin(), keys.end(), [&](const Key& one) { return one.path == path; });
+  return key == keys.end() ? nullptr : &*key;
+}
+
+std::vector<std::string> scene_keys_under(std::string_view path) {
+  const std::string prefix = path.empty() ? "" : std::string(path) + ".";
+  std::vector<std::string> names;
+  for (const Key& key : table()) {
+    if (!key.path.starts_with(prefix)) continue;
+    const std::string_view rest = key.path.substr(prefix.size());
+    const std::string name(rest.substr(0, rest.find('.')));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+const std::vector<UnitSize>& unit_sizes() {
+  static const std::vector<UnitSize> sizes{
+      {"mm", "mm", 1},       {"m", "mm", 1e-3},        {"cm", "mm", 0.1},   {"um", "mm", 1000},
+      {"kg/m3", "kg/m3", 1}, {"g/cm3", "kg/m3", 1e-3}, {"m/s2", "m/s2", 1}, {"cm/s2", "m/s2", 100},
+  };
+  return sizes;
+}
+
+std::string type_text(const Key& key) {
+  std::string text;
+  const auto add = [&text](std::string_view more) {
+    if (!text.empty()) text += " or ";
+    text += more;
+  };
+  switch (key.type) {
+    case integer:
+      add("whole number");
+      break;
+    case number:
+      add("number");
+      break;
+    case boolean:
+      add("true or false");
+      break;
+    case numbers:
+      add("list of numbers");
+      break;
+    case percent:
+      add("percentage such as 1 %");
+      break;
+    case quantity:
+      add("quantity such as 5 " + std::string(key.unit));
+      break;
+    case word:
+      break;
+  }
+  for (const auto one : key.words) add(one);
+  return text;
+}
+
+std::string scene_keys_markdown() {
+  std::string text =
+      "| key | value | unit | range | default | meaning |\n|---|---|---|---|---|---|\n";
+  for (const Key& key : table()) {
+    text += "| `" + std::string(key.path) + "` | " + type_text(key) + " | " +
+            std::string(key.unit) + " | " + key.range.text() + " | " +
+            (key.required ? "required" : std::string(key.fallback)) + " | " + std::string(key.doc) +
+            " |\n";
+  }
+  return text;
+}
+
+}  // namespace shakebed::simulator
