@@ -1,0 +1,160 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <string>
+
+#include "files/error.hpp"
+#include "simulator/contact/parameters.hpp"
+#include "simulator/grains/filling.hpp"
+#include "simulator/motion/uniform.hpp"
+#include "simulator/observables/measurement.hpp"
+#include "simulator/simulate.hpp"
+
+namespace shakebed::simulator {
+
+/// A way to move a bed's grains on the global time grid. Starts at step 0 of a cycle.
+template <class M, class GrainState>
+concept Mover = requires(M mover, long steps) {
+  mover.advance(steps);
+  { mover.synchronised() } -> std::convertible_to<const GrainState&>;
+  { mover.ledger() } -> std::convertible_to<EnergyLedger&>;
+  { mover.energy() } -> std::same_as<double>;
+};
+
+inline double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+template <class Physics>
+struct SettledBed {
+  typename Physics::GrainState grains;
+  double rest_height;  ///< mean height of centres over the still base [d]
+};
+
+template <class Physics>
+Physics bind_physics(const Scene& scene, const Parameters& p) {
+  PeriodicCell<Physics::dimension> cell{};
+  std::copy(scene.cell.begin(), scene.cell.end(), cell.width.begin());
+  using Law = typename Physics::ContactLaw;
+  return Physics{cell,
+                 Law(p.grain_grain),
+                 Law(p.grain_base),
+                 {scene.base.drive.amplitude, scene.base.drive.peak_velocity()},
+                 scene.gravity,
+                 p.time_step,
+                 p.steps_per_cycle};
+}
+
+/// Pours the grains on the still base and lets them come to rest: with the scene's restitution and
+/// friction, soft springs (k_n = 5e3 max(1, N/4) m g/d, static overlaps near 1e-3 d), and
+/// velocities damped at the rate 1/2 sqrt(g/d), which only hastens what collisions do. Without
+/// tangential springs a rough bed creeps for long: after 60 sqrt(d/g) it is taken as it is.
+/// The bed that leaves here moves with the base, which starts at full speed: no first blow.
+template <class Physics>
+SettledBed<Physics> settle(const Scene& scene, const RunControl& control) {
+  Scene still = scene;
+  const double static_stiffness =
+      5e3 * std::max(1.0, scene.grains.layers / 4) * std::max(scene.gravity, 1e-300);
+  still.contact.stiffness = std::min(bind_parameters(scene).stiffness, static_stiffness);
+  still.base.drive = {0, 2 * std::numbers::pi};
+  still.protocol.time_step_fraction = 0.06;
+  const auto physics = bind_physics<Physics>(still, bind_parameters(still));
+
+  const auto count = static_cast<std::size_t>(scene.grains.count);
+  UniformStepper<Physics> mover(
+      physics, fill<Physics::dimension, Physics::turns_grains>(count, physics.cell, scene.seed));
+  const double longest = scene.protocol.settle.value_or(60);
+  constexpr double interval = 0.25;
+  const auto steps = std::lround(interval / physics.time_step);
+  const auto n = static_cast<double>(count);
+  constexpr double rest_energy = 1e-5;  // kinetic energy per grain [m g d]
+  bool at_rest = false;
+  for (double t = 0; t < longest && !at_rest; t += interval) {
+    if (control.stop_requested && control.stop_requested()) throw files::Interrupted();
+    mover.advance(steps);
+    mover.damp(std::exp(-0.5 * interval));
+    at_rest = !scene.protocol.settle && t > 5 && mover.kinetic_energy() < rest_energy * n;
+  }
+  SettledBed<Physics> bed{mover.synchronised(), 0};
+  constexpr int vertical = Dimension<Physics::dimension>::vertical;
+  for (int c = 0; c <= vertical; ++c) {
+    auto& column = bed.grains.velocity[c];
+    std::fill(column.begin(), column.end(), c == vertical ? scene.base.drive.peak_velocity() : 0.0);
+  }
+  for (auto& column : bed.grains.spin) std::fill(column.begin(), column.end(), 0.0);
+  for (const double z : bed.grains.position[vertical]) {
+    bed.rest_height += z / n;
+  }
+  return bed;
+}
+
+/// Discards the transient and measures on a mover.
+template <class MoverType, int D>
+class Protocol {
+ public:
+  Protocol(const Scene& scene, const Parameters& parameters, MoverType& mover,
+           const RunControl& control)
+      : scene_(scene), parameters_(parameters), mover_(mover), control_(control) {}
+
+  /// Returns the cycles discarded: fewer than planned when Gamma < 1 and a whole cycle was quiet.
+  long discard() {
+    const long planned = scene_.protocol.transient.value_or(automatic_transient(scene_));
+    for (long c = 0; c < planned; ++c) {
+      poll(0.5 * static_cast<double>(c) / static_cast<double>(planned));
+      if (scene_.Gamma() >= 1) {
+        mover_.advance(parameters_.steps_per_cycle);
+        continue;
+      }
+      Measurement<D> look(scene_, 0);
+      measure_cycle(look);
+      if (look.at_rest()) return c + 1;
+    }
+    return planned;
+  }
+
+  void measure(Measurement<D>& measurement) {
+    const long most = scene_.protocol.cycles.value_or(scene_.protocol.at_most);
+    long next_look = first_look;
+    while (measurement.cycles() < most) {
+      poll(0.5 + 0.5 * static_cast<double>(measurement.cycles()) / static_cast<double>(most));
+      measure_cycle(measurement);
+      if (over_early(measurement)) break;
+      if (!scene_.protocol.until || measurement.cycles() < next_look) continue;
+      if (measurement.at_rest() || measurement.precise_enough(*scene_.protocol.until)) break;
+      next_look *= 2;  // looking at every cycle and stopping at a lucky one would undercover
+    }
+  }
+
+ private:
+  static constexpr long first_look = 32;
+
+  void poll(double fraction) const {
+    if (control_.stop_requested && control_.stop_requested()) throw files::Interrupted();
+    if (control_.on_progress) control_.on_progress(fraction);
+  }
+
+  void measure_cycle(Measurement<D>& measurement) {
+    const long stride = parameters_.steps_per_cycle / phases_per_cycle;
+    for (long phase = 0; phase < phases_per_cycle; ++phase) {
+      mover_.advance(stride);
+      measurement.sample(mover_.synchronised());
+    }
+    measurement.end_cycle(mover_.ledger());
+  }
+
+  /// With Gamma < 1 the base cannot throw a bed that rests on it: four quiet cycles decide.
+  bool over_early(const Measurement<D>& measurement) const {
+    return scene_.Gamma() < 1 && measurement.cycles() == 4 && measurement.at_rest();
+  }
+
+  const Scene& scene_;
+  const Parameters& parameters_;
+  MoverType& mover_;
+  const RunControl& control_;
+};
+
+}  // namespace shakebed::simulator

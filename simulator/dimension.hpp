@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+namespace shakebed::simulator {
+
+/// Everything that differs between two dimensions (x, z) and three (x, y, z). The last coordinate
+/// is the vertical one. Grains are spheres in both: I = (2/5) m R^2.
+template <int D>
+struct Dimension {
+  static_assert(D == 2 || D == 3);
+  static constexpr int coordinates = D;
+  static constexpr int lateral = D - 1;
+  static constexpr int vertical = D - 1;
+  static constexpr int spin_components = D == 2 ? 1 : 3;
+};
+
+template <int D>
+using Vector = Eigen::Matrix<double, D, 1>;
+/// Angular velocity or torque: about y in two dimensions.
+template <int D>
+using Spin = Eigen::Matrix<double, Dimension<D>::spin_components, 1>;
+
+/// omega x r.
+template <int D>
+inline Vector<D> cross(const Spin<D>& omega, const Vector<D>& r) {
+  if constexpr (D == 2) {
+    return {omega[0] * r[1], -omega[0] * r[0]};
+  } else {
+    return omega.cross(r);
+  }
+}
+
+/// r x f: a torque.
+template <int D>
+inline Spin<D> moment(const Vector<D>& r, const Vector<D>& f) {
+  if constexpr (D == 2) {
+    return Spin<D>(r[1] * f[0] - r[0] * f[1]);
+  } else {
+    return r.cross(f);
+  }
+}
+
+/// One contiguous array per coordinate: the layout of every per-grain quantity.
+template <std::size_t C>
+using Columns = std::array<std::vector<double>, C>;
+
+template <std::size_t C>
+inline Eigen::Matrix<double, static_cast<int>(C), 1> row(const Columns<C>& columns, std::size_t i) {
+  Eigen::Matrix<double, static_cast<int>(C), 1> v;
+  for (std::size_t c = 0; c < C; ++c) v[c] = columns[c][i];
+  return v;
+}
+
+template <std::size_t C>
+inline void set_row(Columns<C>& columns, std::size_t i,
+                    const Eigen::Matrix<double, static_cast<int>(C), 1>& v) {
+  for (std::size_t c = 0; c < C; ++c) columns[c][i] = v[c];
+}
+
+template <std::size_t C>
+inline void add_to_row(Columns<C>& columns, std::size_t i,
+                       const Eigen::Matrix<double, static_cast<int>(C), 1>& v) {
+  for (std::size_t c = 0; c < C; ++c) columns[c][i] += v[c];
+}
+
+template <std::size_t C>
+inline void resize(Columns<C>& columns, std::size_t count) {
+  for (auto& column : columns) column.resize(count, 0.0);
+}
+
+}  // namespace shakebed::simulator

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "simulator/record.hpp"
+
+namespace shakebed::simulator {
+
+struct CorrelatedMean {
+  Estimate estimate;
+  double correlation_time;  ///< integrated, in entries of the series; 1/2: uncorrelated
+  double independent;       ///< entries / (2 correlation_time)
+};
+
+/// Mean of a stationary series and its standard error sqrt(2 tau var / n), with the integrated
+/// correlation time tau summed over an automatic window (U. Wolff, Comput. Phys. Commun. 156, 143
+/// (2004), S = 1.5, with that paper's bias correction). Fewer than four entries: no error (NaN).
+CorrelatedMean mean_of_series(std::span<const double> series);
+
+/// Probability below which the two halves of a stationary series are called different (two-sided,
+/// Gaussian): the false-alarm rate of the drift check.
+inline constexpr double drift_false_alarm = 1e-4;
+
+/// True when the means of both halves agree within 3.89 combined standard errors.
+bool halves_agree(std::span<const double> series);
+
+}  // namespace shakebed::simulator

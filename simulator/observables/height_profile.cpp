@@ -1,0 +1,209 @@
+#include "simulator/observables/height_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace shakebed::simulator {
+
+template <>
+double part_below<3>(double s) {
+  // Cap of height h = s + R of a sphere of R = 1/2, over its volume: h^2 (3R - h) pi/3 / (pi/6).
+  const double h = s + 0.5;
+  return h * h * (3 - 2 * h);
+}
+
+template <>
+double part_below<2>(double s) {
+  const double x = std::clamp(2 * s, -1.0, 1.0);
+  return 0.5 + (x * std::sqrt(1 - x * x) + std::asin(x)) / std::numbers::pi;
+}
+
+namespace {
+
+/// Jackknife over blocks of a vector-valued statistic of summed blocks.
+std::vector<Estimate> jackknife(
+    const std::vector<std::vector<double>>& blocks, const std::vector<long>& samples,
+    const std::function<std::vector<double>(const std::vector<double>&, double)>& statistic) {
+  std::size_t width = 0;
+  for (const auto& block : blocks) width = std::max(width, block.size());
+  std::vector<double> total(width, 0);
+  double total_samples = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (std::size_t k = 0; k < blocks[b].size(); ++k) total[k] += blocks[b][k];
+    total_samples += static_cast<double>(samples[b]);
+  }
+  const auto centre = statistic(total, total_samples);
+  std::vector<double> sum(centre.size(), 0);
+  std::vector<double> square(centre.size(), 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    auto rest = total;
+    for (std::size_t k = 0; k < blocks[b].size(); ++k) rest[k] -= blocks[b][k];
+    const auto value = statistic(rest, total_samples - static_cast<double>(samples[b]));
+    for (std::size_t q = 0; q < value.size(); ++q) {
+      sum[q] += value[q] - centre[q];
+      square[q] += (value[q] - centre[q]) * (value[q] - centre[q]);
+    }
+  }
+  const auto n = static_cast<double>(blocks.size());
+  std::vector<Estimate> result(centre.size());
+  for (std::size_t q = 0; q < centre.size(); ++q) {
+    result[q].mean = centre[q];
+    if (blocks.size() >= 4) {
+      const double variance = (n - 1) / n * (square[q] - sum[q] * sum[q] / n);
+      result[q].standard_error = std::sqrt(std::max(0.0, variance));
+    }
+  }
+  return result;
+}
+
+const char* component_name(int dimension, int component) {
+  if (dimension == 2) return component == 0 ? "T_x" : "T_z";
+  constexpr const char* names[] = {"T_x", "T_y", "T_z"};
+  return names[component];
+}
+
+}  // namespace
+
+template <int D>
+HeightProfile<D>::HeightProfile(double lowest, double area) : lowest_(lowest), area_(area) {}
+
+template <int D>
+void HeightProfile<D>::grow(std::size_t boxes) {
+  boxes_ = boxes;
+  current_.resize(boxes_ * stride, 0.0);
+}
+
+template <int D>
+void HeightProfile<D>::spread_volume(std::size_t box, double offset) {
+  // A grain of diameter d in boxes of depth d reaches into one neighbour, above or below.
+  const double outside =
+      offset > 0 ? 1 - part_below<D>(0.5 - offset) : part_below<D>(-0.5 - offset);
+  current_[box * stride + stride - 1] += 1 - outside;
+  if (offset > 0) {
+    current_[(box + 1) * stride + stride - 1] += outside;
+  } else if (box > 0) {
+    current_[(box - 1) * stride + stride - 1] += outside;
+  }
+}
+
+template <int D>
+void HeightProfile<D>::end_cycle() {
+  if (++cycles_in_current_ < cycles_per_block_) return;
+  blocks_.push_back(current_);
+  block_samples_.push_back(samples_);
+  std::fill(current_.begin(), current_.end(), 0.0);
+  samples_ = 0;
+  cycles_in_current_ = 0;
+  if (blocks_.size() < most_blocks) return;
+  for (std::size_t b = 0; b < most_blocks / 2; ++b) {
+    auto merged = std::move(blocks_[2 * b]);
+    const auto& second = blocks_[2 * b + 1];
+    merged.resize(std::max(merged.size(), second.size()), 0.0);
+    for (std::size_t k = 0; k < second.size(); ++k) merged[k] += second[k];
+    blocks_[b] = std::move(merged);
+    block_samples_[b] = block_samples_[2 * b] + block_samples_[2 * b + 1];
+  }
+  blocks_.resize(most_blocks / 2);
+  block_samples_.resize(most_blocks / 2);
+  cycles_per_block_ *= 2;
+}
+
+template <int D>
+double HeightProfile<D>::height_below_which(const Sums& sums, double fraction) const {
+  double total = 0;
+  const std::size_t boxes = sums.size() / stride;
+  for (std::size_t k = 0; k < boxes; ++k) total += sums[k * stride];
+  double below = 0;
+  for (std::size_t k = 0; k < boxes; ++k) {
+    const double here = sums[k * stride];
+    if (here > 0 && below + here >= fraction * total) {
+      return lowest_ + static_cast<double>(k) + (fraction * total - below) / here;
+    }
+    below += here;
+  }
+  return lowest_ + static_cast<double>(boxes);
+}
+
+template <int D>
+double HeightProfile<D>::local_temperature(const Sums& sums, std::size_t box, int component) const {
+  const double* s = sums.data() + box * stride;
+  if (s[0] < 2) return 0;
+  const double mean = s[1 + 2 * component] / s[0];
+  return 0.5 * (s[2 + 2 * component] / s[0] - mean * mean);
+}
+
+template <int D>
+std::vector<double> HeightProfile<D>::volume_averages(const Sums& sums, double height,
+                                                      double samples) const {
+  std::vector<double> averages(D + 2, 0.0);
+  double grains = 0;
+  for (std::size_t k = 0; k < sums.size() / stride; ++k) {
+    const double bottom = std::max(lowest_ + static_cast<double>(k), 0.0);
+    const double top = std::min(lowest_ + static_cast<double>(k + 1), height);
+    grains += sums[k * stride];
+    if (top <= bottom) continue;
+    for (int c = 0; c < D; ++c) {
+      averages[c] += (top - bottom) * local_temperature(sums, k, c) / height;
+    }
+  }
+  for (int c = 0; c < D; ++c) averages[D] += averages[c] / D;
+  const double grain_size = D == 3 ? grain_volume : grain_cross_section_area;
+  averages[D + 1] = grains / samples * grain_size / (area_ * height);
+  return averages;
+}
+
+template <int D>
+typename HeightProfile<D>::Summary HeightProfile<D>::summarise() const {
+  Summary summary{};
+  auto blocks = blocks_;
+  auto samples = block_samples_;
+  if (blocks.empty()) {
+    blocks.push_back(current_);
+    samples.push_back(samples_);
+  }
+  for (auto& block : blocks) block.resize(boxes_ * stride, 0.0);
+
+  Sums total(boxes_ * stride, 0.0);
+  for (const auto& block : blocks) {
+    for (std::size_t k = 0; k < block.size(); ++k) total[k] += block[k];
+  }
+  summary.averaging_height = height_below_which(total, 0.99);
+
+  const double grain_size = D == 3 ? grain_volume : grain_cross_section_area;
+  const auto local = jackknife(blocks, samples, [&](const Sums& sums, double n) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < boxes_; ++k) {
+      values.push_back(sums[k * stride] / n);
+      values.push_back(sums[k * stride + stride - 1] / n * grain_size / area_);
+      for (int c = 0; c < D; ++c) values.push_back(local_temperature(sums, k, c));
+    }
+    return values;
+  });
+  const auto volume = jackknife(blocks, samples, [&](const Sums& sums, double n) {
+    return volume_averages(sums, height_below_which(sums, 0.99), n);
+  });
+
+  summary.profile.box_depth = 1;
+  summary.profile.columns = {{"grains_in_box", "1", {}, {}}, {"phi", "1", {}, {}}};
+  for (int c = 0; c < D; ++c) {
+    summary.profile.columns.push_back({component_name(D, c), "m g d", {}, {}});
+  }
+  const std::size_t columns = summary.profile.columns.size();
+  for (std::size_t k = 0; k < boxes_; ++k) {
+    summary.profile.z.push_back(lowest_ + static_cast<double>(k) + 0.5);
+    for (std::size_t q = 0; q < columns; ++q) {
+      summary.profile.columns[q].mean.push_back(local[k * columns + q].mean);
+      summary.profile.columns[q].standard_error.push_back(local[k * columns + q].standard_error);
+    }
+  }
+  summary.volume_temperature.assign(volume.begin(), volume.begin() + D + 1);
+  summary.packing_fraction = volume[D + 1];
+  return summary;
+}
+
+template class HeightProfile<2>;
+template class HeightProfile<3>;
+
+}  // namespace shakebed::simulator

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulator/contact/parameters.hpp"
+#include "simulator/observables/correlation.hpp"
+#include "simulator/observables/cycle_series.hpp"
+#include "simulator/observables/energy_ledger.hpp"
+#include "simulator/observables/height_profile.hpp"
+#include "simulator/observables/temperature.hpp"
+#include "simulator/record.hpp"
+#include "simulator/scene/scene.hpp"
+
+namespace shakebed::simulator {
+
+/// Below this T_z/(m V_p^2) a vertically driven bed with g > 0 counts as at rest on its base.
+inline constexpr double at_rest_bound = 1e-6;
+
+/// Collects what is sampled at equal phases and turns it into a Record's means and errors.
+template <int D>
+class Measurement {
+ public:
+  Measurement(const Scene& scene, double rest_height);
+
+  template <class GrainState>
+  void sample(const GrainState& grains) {
+    temperature_.sample(grains);
+    profile_.sample(grains);
+  }
+
+  /// Closes a cycle; the ledger's totals are those since measuring began.
+  void end_cycle(const EnergyLedger& ledger);
+
+  long cycles() const { return series_.cycles(); }
+  bool at_rest() const;
+  /// True when `quantity` is known to the fraction asked for: standard error / mean, with at least
+  /// 30 independent entries (fewer make the error itself too uncertain to stop on).
+  bool precise_enough(const Scene::Precision& wanted) const;
+  bool knows(const std::string& quantity) const;
+
+  /// Quantities, profile, series, stationarity. `energy_change` is the ledger's other side.
+  void write(Record& record, const EnergyLedger& ledger, double energy_change) const;
+
+ private:
+  /// Indices into the series.
+  static constexpr std::size_t lab = D, height = 2 * D, base_power = 2 * D + 1,
+                               dissipation_power = 2 * D + 2;
+
+  std::vector<double> values_of(const std::string& quantity) const;
+  void write_temperatures(Record& record) const;
+  void write_volume_averages(Record& record) const;
+  void judge_stationarity(Record& record) const;
+
+  Scene scene_;
+  double rest_height_;
+  TemperatureSums<D> temperature_;
+  HeightProfile<D> profile_;
+  CycleSeries series_;
+  EnergyLedger last_;
+};
+
+}  // namespace shakebed::simulator
