@@ -148,7 +148,7 @@ class Protocol {
 
   /// With Gamma < 1 the base cannot throw a bed that rests on it: four quiet cycles decide.
   bool over_early(const Measurement<D>& measurement) const {
-    return scene_.Gamma() < 1 && measurement.cycles() == 4 && measurement.at_rest();
+    return scene_.Gamma() < 1 && measurement.cycles() >= 4 && measurement.at_rest();
   }
 
   const Scene& scene_;
