@@ -37,6 +37,8 @@ class CsvTable {
   double number(std::size_t row, std::size_t column) const;  ///< NaN for an empty cell
   std::vector<double> numbers(std::string_view column_name) const;
 
+  std::string place(std::size_t row) const;  ///< "data.csv:7", or "table: row 3" in memory
+
   std::string to_text() const;
   void write(const std::filesystem::path& file) const;  ///< temporary file, fsync, rename
   static CsvTable read(const std::filesystem::path& file);
@@ -44,8 +46,6 @@ class CsvTable {
   std::string name = "table";  ///< the file it was read from, for error messages
 
  private:
-  std::string place(std::size_t row) const;  ///< "data.csv:7", or "table: row 3" in memory
-
   std::vector<CsvColumn> columns_;
   std::vector<std::vector<std::string>> cells_;
   std::vector<std::size_t> lines_;  ///< line of each row in the file it was read from
