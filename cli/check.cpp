@@ -1,1 +1,128 @@
+#include <cmath>
+#include <cstdio>
+#include <string>
+
 #include "cli/commands.hpp"
+#include "cli/scene_schema.hpp"
+#include "simulator/contact/parameters.hpp"
+#include "simulator/scene/keys.hpp"
+#include "simulator/scene/read_scene.hpp"
+#include "simulator/scene/warnings.hpp"
+
+namespace shakebed::cli {
+
+namespace {
+
+using simulator::ContactKind;
+using simulator::Parameters;
+using simulator::Scene;
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+void line(const char* title, const std::string& text) {
+  std::printf("%-13s %s\n", title, text.c_str());
+}
+
+std::string cell_text(const Scene& scene) {
+  std::string text;
+  for (const double width : scene.cell) text += (text.empty() ? "" : " x ") + rounded(width);
+  return text + " d";
+}
+
+void print_bed(const Scene& scene, const Parameters& parameters) {
+  const auto& drive = scene.base.drive;
+  line("bed", std::to_string(scene.grains.count) +
+                  (parameters.turns_grains ? " rough" : " smooth") + " grains in " +
+                  std::to_string(scene.dimension) + " dimensions, N = " +
+                  rounded(scene.grains.layers) + " layers, periodic cell " + cell_text(scene));
+  line("drive", "W = " + rounded(scene.W()) + ", Gamma = " + rounded(scene.Gamma()) + ", A = " +
+                    rounded(drive.amplitude) + " d, omega = " + rounded(drive.angular_frequency) +
+                    " sqrt(g/d), V_p = " + rounded(drive.peak_velocity()) + " sqrt(g d)");
+}
+
+/// What the simulator carries for this scene, and what other scenes would need and this one not.
+void print_model(const Scene& scene, const Parameters& parameters) {
+  const bool turns = parameters.turns_grains;
+  const bool three = scene.dimension == 3;
+  const std::string coordinates = three ? "x, y, z" : "x, z";
+  line("models", "positions and velocities in " + coordinates + "; gravity; a vibrating base");
+  line("", "linear spring-dashpot along the normal, until the overlap is zero");
+  if (turns) {
+    line("", three ? "spin about x, y and z; viscous-Coulomb friction in the tangent plane"
+                   : "spin about y; viscous-Coulomb friction along the tangent");
+  }
+  if (!turns) line("leaves out", "spin and any tangential force, as no contact has friction");
+  if (!three) line(turns ? "leaves out" : "", "the third coordinate");
+  line(turns && three ? "leaves out" : "",
+       "memory of contacts, sizes (one diameter), side walls, lid, air drag, cohesion");
+}
+
+void print_contact(const char* name, const ContactKind& kind, bool turns) {
+  std::printf("%-13s %-11s %6s %8s %6s %10s %10s %10s %11s\n", "", name,
+              rounded(kind.effective_mass).c_str(), rounded(kind.restitution).c_str(),
+              turns ? rounded(kind.friction).c_str() : "-", rounded(kind.stiffness).c_str(),
+              rounded(kind.normal_damping).c_str(),
+              turns ? rounded(kind.tangential_damping).c_str() : "-",
+              rounded(kind.contact_duration()).c_str());
+}
+
+void print_contacts(const Parameters& parameters) {
+  std::printf("%-13s %-11s %6s %8s %6s %10s %10s %10s %11s\n", "contacts", "", "m_eff", "e", "mu",
+              "k_n", "c_n", "c_t", "t_c");
+  print_contact("grain-grain", parameters.grain_grain, parameters.turns_grains);
+  print_contact("grain-base", parameters.grain_base, parameters.turns_grains);
+  line("", "m_eff [m], k_n [m g/d], c_n and c_t [m sqrt(g/d)], t_c [sqrt(d/g)]");
+}
+
+std::string measure_text(const Scene::Protocol& protocol) {
+  if (protocol.cycles) return "measure " + std::to_string(*protocol.cycles) + " cycles";
+  return "measure until " + protocol.until->quantity + " is known to " +
+         rounded(100 * protocol.until->fraction) + " %, at most " +
+         std::to_string(protocol.at_most) + " cycles";
+}
+
+void print_numerics(const Scene& scene, const Parameters& parameters) {
+  const auto& protocol = scene.protocol;
+  line("time step", "dt = " + rounded(parameters.time_step) + " sqrt(d/g) = t_c/" +
+                        rounded(parameters.contact_duration / parameters.time_step) + ", " +
+                        std::to_string(parameters.steps_per_cycle) + " steps per cycle");
+  line("stiffness", "omega t_c = " + rounded(drive_angle_in_contact(scene, parameters)) +
+                        " rad; largest overlap to expect about " +
+                        rounded(expected_largest_overlap(scene, parameters)) +
+                        " d (2 V_p sqrt(m/k_n) + N m g/k_n)");
+  const long transient = protocol.transient.value_or(simulator::automatic_transient(scene));
+  line("protocol", (protocol.settle ? "settle for " + rounded(*protocol.settle) + " sqrt(d/g)"
+                                    : std::string("settle until at rest")) +
+                       ", discard " + std::to_string(transient) + " cycles, " +
+                       measure_text(protocol));
+}
+
+void print_scene(const std::string& name, const Scene& scene) {
+  const Parameters parameters = bind_parameters(scene);
+  line("scene", name + ", seed " + std::to_string(scene.seed));
+  print_bed(scene, parameters);
+  print_model(scene, parameters);
+  print_contacts(parameters);
+  print_numerics(scene, parameters);
+  for (const auto& warning : scene_warnings(scene, parameters)) line("warning", warning);
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+  if (options.keys) {
+    std::fputs(simulator::scene_keys_markdown().c_str(), stdout);
+  } else if (options.schema) {
+    std::fputs(scene_json_schema().c_str(), stdout);
+  } else {
+    print_scene(options.scene.string(),
+                simulator::read_scene(options.scene, simulator::parse_overrides(options.set)));
+  }
+  return 0;
+}
+
+}  // namespace shakebed::cli

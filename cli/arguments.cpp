@@ -1,0 +1,243 @@
+#include "cli/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "files/build_info.hpp"
+#include "files/error.hpp"
+#include "files/yaml.hpp"
+
+namespace shakebed::cli {
+
+namespace {
+
+constexpr const char* about =
+    "Simulates vertically shaken granular beds (DEM) and carries the results to fits and "
+    "figures.\nExit codes: 0 fine, 1 the work could not be done, 2 bad input or usage, 130 "
+    "interrupted.";
+
+constexpr const char* set_help =
+    "Override any key of the scene: --set base.drive.W=30; repeat for more.\n"
+    "Setting one of the equivalent drive keys replaces the other: a rate (W,\n"
+    "Gamma, frequency, angular_frequency, frequency_rpm, frequency_hz) replaces\n"
+    "the scene's rate and keeps its amplitude, an amplitude keeps its rate, and\n"
+    "two drive keys set replace both. layers and count replace each other, and\n"
+    "so do measure.cycles and measure.until.";
+
+std::string version_text() {
+  using namespace files;
+  std::string text = "shakebed " + std::string(version());
+  text += "\nrevision " + std::string(git_revision());
+  text += "\ncompiled by " + std::string(compiler()) + " with " + std::string(compiler_flags());
+  return text + "\nfor " + std::string(machine()) + ", preset " + std::string(preset());
+}
+
+/// Every subcommand fills its options and, when it is the one called, sets what to do.
+using Action = std::function<int()>;
+
+/// The options live as long as the parser, which writes into them.
+template <class Options>
+std::shared_ptr<Options> options_of(CLI::App* command, Action& action,
+                                    int (*function)(const Options&)) {
+  auto options = std::make_shared<Options>();
+  command->callback([options, &action, function] {
+    action = [options, function] { return function(*options); };
+  });
+  return options;
+}
+
+/// `--set` takes one value at a time, so that a scene may follow it.
+void add_set(CLI::App* command, std::vector<std::string>& set) {
+  command->add_option("--set", set, set_help)->type_name("KEY=VALUE")->expected(1)->take_all();
+}
+
+void add_run(CLI::App& app, Action& action) {
+  auto* run = app.add_subcommand("run", "Simulate one bed and report its averages");
+  auto options = options_of(run, action, &run_command);
+  run->add_option("scene", options->scene, "Scene (YAML)")->required()->type_name("SCENE");
+  add_set(run, options->set);
+  run->add_option("--output", options->output, "Write the run file (HDF5) here")->type_name("FILE");
+  run->add_option("--json", options->json, "Write the averages as JSON here; - is standard output")
+      ->type_name("FILE|-");
+}
+
+void add_check(CLI::App& app, Action& action) {
+  auto* check = app.add_subcommand(
+      "check", "Say what a scene makes the program model, how finely and at what cost");
+  auto options = options_of(check, action, &check_command);
+  auto* scene = check->add_option("scene", options->scene, "Scene (YAML)")->type_name("SCENE");
+  add_set(check, options->set);
+  auto* keys = check->add_flag("--keys", options->keys, "Print every key a scene may have instead");
+  auto* schema = check->add_flag("--schema", options->schema,
+                                 "Print the JSON schema of scenes instead, for editors");
+  keys->excludes(schema);
+  check->parse_complete_callback([scene, options] {
+    if (scene->count() == 0 && !options->keys && !options->schema) {
+      throw CLI::RequiredError("scene (or one of --keys, --schema)");
+    }
+  });
+}
+
+void add_sweep_arguments(CLI::App* command, SweepOptions& options) {
+  command->add_option("sweep", options.sweep, "Sweep (YAML)")->required()->type_name("SWEEP");
+  command
+      ->add_option("--profile", options.profile,
+                   "Profile of the sweep: quick shows the shape, paper has every printed point")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command
+      ->add_option("--cache", options.cache,
+                   "Folder of finished runs; else $SHAKEBED_CACHE, else build/cache")
+      ->type_name("DIR");
+}
+
+void add_sweep(CLI::App& app, Action& action) {
+  auto* sweep = app.add_subcommand("sweep", "Run, watch or collect a grid of beds");
+  sweep->require_subcommand(1);
+
+  auto* run = sweep->add_subcommand(
+      "run", "Simulate every point that is not cached; Ctrl-C and the same command resume");
+  auto run_options = options_of(run, action, &sweep_run_command);
+  add_sweep_arguments(run, *run_options);
+  run->add_option("--jobs", run_options->jobs, "Beds simulated at once; 0: one a core")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str()
+      ->type_name("N");
+
+  auto* status = sweep->add_subcommand("status", "Say which points are finished");
+  add_sweep_arguments(status, *options_of(status, action, &sweep_status_command));
+
+  auto* collect = sweep->add_subcommand(
+      "collect", "One row a point: means and standard errors over its replicates");
+  auto collect_options = options_of(collect, action, &sweep_collect_command);
+  add_sweep_arguments(collect, *collect_options);
+  collect->add_option("--csv", collect_options->csv, "Write the table here, not to standard output")
+      ->type_name("FILE");
+}
+
+void add_fit(CLI::App& app, Action& action) {
+  auto* fit = app.add_subcommand("fit", "Fit a model to a collected table; never runs a bed");
+  auto options = options_of(fit, action, &fit_command);
+  fit->add_option("fit", options->fit, "Fit (YAML)")->required()->type_name("FIT");
+  fit->add_option("--data", options->data, "Use this table (CSV) in place of the fit's own")
+      ->type_name("FILE");
+  fit->add_option("--csv", options->csv, "Write the parameters here, not to standard output")
+      ->type_name("FILE");
+}
+
+void add_figure(CLI::App& app, Action& action) {
+  auto* figure = app.add_subcommand("figure", "Draw a figure from tables; never computes");
+  auto options = options_of(figure, action, &figure_command);
+  figure->add_option("id", options->id, "Such as bhateja2016-fig02")->required()->type_name("ID");
+  figure->add_option("--spec", options->specification, "Figure specification (YAML)")
+      ->required()
+      ->type_name("FILE");
+  figure->add_option("--table", options->tables, "A table (CSV) to draw; repeat for more")
+      ->expected(1)
+      ->take_all()
+      ->type_name("FILE");
+  figure->add_option("--output", options->output_folder, "Folder for CSV, SVG and PNG")
+      ->required()
+      ->type_name("DIR");
+}
+
+void add_network(CLI::App& app, Action& action) {
+  auto* network = app.add_subcommand(
+      "network", "Force networks, force statistics and spanning trees of one snapshot");
+  auto options = options_of(network, action, &network_command);
+  auto* snapshot = network->add_option("snapshot", options->snapshot, "Snapshot (HDF5)");
+  snapshot->type_name("SNAPSHOT");
+  auto* grains = network->add_option("--grains", options->grains,
+                                     "Grains (CSV): id, x, y, z, radius; needs --contacts");
+  grains->type_name("FILE")->excludes(snapshot);
+  auto* contacts = network->add_option(
+      "--contacts", options->contacts,
+      "Contacts (CSV): i, j, normal_force; an empty j is a wall; needs --grains");
+  contacts->type_name("FILE")->needs(grains);
+  grains->needs(contacts);
+  network->add_option("--passes", options->passes, "Passes of the spanning tree")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->type_name("N");
+  network->add_option("--elongation", options->elongation, "Factor on edges of earlier passes")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str()
+      ->type_name("X");
+  network->add_option("--json", options->json, "Write the results as JSON; - is standard output")
+      ->type_name("FILE|-");
+  network->add_option("--csv", options->csv_folder, "Write the tables into this folder")
+      ->type_name("DIR");
+  network->parse_complete_callback([snapshot, grains] {
+    if (snapshot->count() + grains->count() == 0) {
+      throw CLI::RequiredError("SNAPSHOT (or --grains with --contacts)");
+    }
+  });
+}
+
+void add_export(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("export", "Write a scene for another code");
+  auto options = options_of(command, action, &export_command);
+  command->add_option("scene", options->scene, "Scene (YAML)")->required()->type_name("SCENE");
+  add_set(command, options->set);
+  command->add_option("--format", options->format, "Which code: lammps-deck")
+      ->check(CLI::IsMember({"lammps-deck"}))
+      ->capture_default_str()
+      ->type_name("FORMAT");
+  command->add_option("--output", options->output, "Write here, not to standard output")
+      ->type_name("FILE");
+}
+
+/// CLI11 alone would only say that a subcommand is required.
+std::string unknown_subcommand(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> known;
+  for (const auto* command : app.get_subcommands({})) known.push_back(command->get_name());
+  if (word.starts_with('-') || std::find(known.begin(), known.end(), word) != known.end())
+    return "";
+  std::string text = "unknown subcommand `" + word + "`";
+  if (const auto near = files::nearest_word(word, known)) {
+    return text + "; did you mean `" + *near + "`?";
+  }
+  text += "; known:";
+  for (const auto& command : known) text += " " + command;
+  return text;
+}
+
+std::string failure_text(const CLI::App* app, const CLI::Error& error) {
+  return "shakebed: error: " + std::string(error.what()) + "\nRun `" +
+         (app->get_parent() ? app->get_parent()->get_name() + " " : "") + app->get_name() +
+         " --help` for more information.\n";
+}
+
+}  // namespace
+
+int dispatch(int argc, char** argv) {
+  CLI::App app(about, "shakebed");
+  app.set_version_flag("--version", version_text(), "Print version, revision and build");
+  app.require_subcommand(1);
+  app.failure_message(failure_text);
+  Action action;
+  add_run(app, action);
+  add_check(app, action);
+  add_sweep(app, action);
+  add_fit(app, action);
+  add_figure(app, action);
+  add_network(app, action);
+  add_export(app, action);
+  if (const auto fault = argc > 1 ? unknown_subcommand(app, argv[1]) : ""; !fault.empty()) {
+    throw files::bad_input("", fault);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // CLI11 has a code for every kind of fault; a user needs to know only that it was the usage.
+    return app.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
+  }
+  return action();
+}
+
+}  // namespace shakebed::cli

@@ -1,0 +1,73 @@
+#include "simulator/scene/warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace shakebed::simulator {
+
+namespace {
+
+constexpr double coarse_fraction = 0.1;  // dt/t_c; restitution is off by about 1 % there
+constexpr double large_overlap = 0.05;   // d
+constexpr double soft_angle = 0.1;       // rad
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}  // namespace
+
+double expected_largest_overlap(const Scene& scene, const Parameters& parameters) {
+  const double impact = 2 * scene.base.drive.peak_velocity() *
+                        std::sqrt(parameters.grain_base.effective_mass / parameters.stiffness);
+  const double at_rest = scene.grains.layers * scene.gravity / parameters.stiffness;
+  return impact + at_rest;
+}
+
+double drive_angle_in_contact(const Scene& scene, const Parameters& parameters) {
+  return scene.base.drive.angular_frequency * std::max(parameters.grain_grain.contact_duration(),
+                                                       parameters.grain_base.contact_duration());
+}
+
+std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& parameters) {
+  std::vector<std::string> warnings;
+  const auto warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  const double fraction = scene.protocol.time_step_fraction;
+  if (fraction > coarse_fraction) {
+    warn("dt above t_c/10 (" + rounded(fraction) +
+         " t_c): restitution is no longer the one asked for; 0.02 is the default");
+  }
+  if (const double overlap = expected_largest_overlap(scene, parameters); overlap > large_overlap) {
+    warn("overlaps up to about " + rounded(overlap) +
+         " d are to be expected; hard grains need a larger contact.stiffness");
+  }
+  if (const double angle = drive_angle_in_contact(scene, parameters); angle > soft_angle) {
+    warn("a contact lasts " + rounded(angle) +
+         " rad of the drive's cycle: the softness of the grains shapes the result");
+  }
+  if (scene.Gamma() < 1) {
+    warn("Gamma = " + rounded(scene.Gamma()) +
+         " < 1: the base never leaves the bed behind, so the bed stays at rest and T_z is 0");
+  }
+  const bool elastic = scene.grains.restitution == 1 && scene.base.restitution == 1;
+  if (elastic && !parameters.turns_grains) {
+    warn("nothing dissipates energy (e = 1, no friction): the bed heats up without end");
+  }
+  if (scene.grains.count == 1) {
+    warn("one grain has no velocity relative to the mean of all grains: its T is 0");
+  }
+  // A grain thrown at V_p flies for 2 V_p/g, which is Gamma/pi cycles; fewer than about 30 of
+  // these do not let a standard error be judged.
+  const double flight = std::max(1.0, scene.Gamma() / M_PI);
+  if (const auto& cycles = scene.protocol.cycles;
+      cycles && static_cast<double>(*cycles) < 30 * flight && scene.Gamma() >= 1) {
+    warn(std::to_string(*cycles) + " measured cycles are few: 30 flights of the bed take about " +
+         rounded(std::ceil(30 * flight)) + ", so standard errors will be rough");
+  }
+  return warnings;
+}
+
+}  // namespace shakebed::simulator

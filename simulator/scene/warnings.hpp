@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulator/contact/parameters.hpp"
+#include "simulator/scene/scene.hpp"
+
+namespace shakebed::simulator {
+
+/// Largest overlap to expect [d], to size k_n by: grains that meet the base at twice V_p, and the
+/// column of N grains at rest, each alone on a linear spring (m_eff = m at the base):
+///   delta = 2 V_p sqrt(m/k_n) + N m g/k_n.
+/// An estimate: in a deep bed the impact of the whole column reaches further.
+double expected_largest_overlap(const Scene& scene, const Parameters& parameters);
+
+/// omega t_c [rad], t_c the longer of the contact durations: the share of the drive's cycle that
+/// one contact takes. Above about 0.1 the bed feels the softness of its contacts.
+double drive_angle_in_contact(const Scene& scene, const Parameters& parameters);
+
+/// What a user should know before trusting this bed, though it can be simulated.
+std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& parameters);
+
+}  // namespace shakebed::simulator
