@@ -59,7 +59,7 @@ void add_set(CLI::App* command, std::vector<std::string>& set) {
 void add_run(CLI::App& app, Action& action) {
   auto* run = app.add_subcommand("run", "Simulate one bed and report its averages");
   auto options = options_of(run, action, &run_command);
-  run->add_option("scene", options->scene, "Scene (YAML)")->required()->type_name("SCENE");
+  run->add_option("SCENE", options->scene, "Scene (YAML)")->required()->type_name("FILE");
   add_set(run, options->set);
   run->add_option("--output", options->output, "Write the run file (HDF5) here")->type_name("FILE");
   run->add_option("--json", options->json, "Write the averages as JSON here; - is standard output")
@@ -70,7 +70,7 @@ void add_check(CLI::App& app, Action& action) {
   auto* check = app.add_subcommand(
       "check", "Say what a scene makes the program model, how finely and at what cost");
   auto options = options_of(check, action, &check_command);
-  auto* scene = check->add_option("scene", options->scene, "Scene (YAML)")->type_name("SCENE");
+  auto* scene = check->add_option("SCENE", options->scene, "Scene (YAML)")->type_name("FILE");
   add_set(check, options->set);
   auto* keys = check->add_flag("--keys", options->keys, "Print every key a scene may have instead");
   auto* schema = check->add_flag("--schema", options->schema,
@@ -78,13 +78,13 @@ void add_check(CLI::App& app, Action& action) {
   keys->excludes(schema);
   check->parse_complete_callback([scene, options] {
     if (scene->count() == 0 && !options->keys && !options->schema) {
-      throw CLI::RequiredError("scene (or one of --keys, --schema)");
+      throw CLI::RequiredError("SCENE (or one of --keys, --schema)");
     }
   });
 }
 
 void add_sweep_arguments(CLI::App* command, SweepOptions& options) {
-  command->add_option("sweep", options.sweep, "Sweep (YAML)")->required()->type_name("SWEEP");
+  command->add_option("SWEEP", options.sweep, "Sweep (YAML)")->required()->type_name("FILE");
   command
       ->add_option("--profile", options.profile,
                    "Profile of the sweep: quick shows the shape, paper has every printed point")
@@ -123,7 +123,7 @@ void add_sweep(CLI::App& app, Action& action) {
 void add_fit(CLI::App& app, Action& action) {
   auto* fit = app.add_subcommand("fit", "Fit a model to a collected table; never runs a bed");
   auto options = options_of(fit, action, &fit_command);
-  fit->add_option("fit", options->fit, "Fit (YAML)")->required()->type_name("FIT");
+  fit->add_option("FIT", options->fit, "Fit (YAML)")->required()->type_name("FILE");
   fit->add_option("--data", options->data, "Use this table (CSV) in place of the fit's own")
       ->type_name("FILE");
   fit->add_option("--csv", options->csv, "Write the parameters here, not to standard output")
@@ -133,7 +133,7 @@ void add_fit(CLI::App& app, Action& action) {
 void add_figure(CLI::App& app, Action& action) {
   auto* figure = app.add_subcommand("figure", "Draw a figure from tables; never computes");
   auto options = options_of(figure, action, &figure_command);
-  figure->add_option("id", options->id, "Such as bhateja2016-fig02")->required()->type_name("ID");
+  figure->add_option("ID", options->id, "Such as bhateja2016-fig02")->required();
   figure->add_option("--spec", options->specification, "Figure specification (YAML)")
       ->required()
       ->type_name("FILE");
@@ -150,8 +150,8 @@ void add_network(CLI::App& app, Action& action) {
   auto* network = app.add_subcommand(
       "network", "Force networks, force statistics and spanning trees of one snapshot");
   auto options = options_of(network, action, &network_command);
-  auto* snapshot = network->add_option("snapshot", options->snapshot, "Snapshot (HDF5)");
-  snapshot->type_name("SNAPSHOT");
+  auto* snapshot = network->add_option("SNAPSHOT", options->snapshot, "Snapshot (HDF5)");
+  snapshot->type_name("FILE");
   auto* grains = network->add_option("--grains", options->grains,
                                      "Grains (CSV): id, x, y, z, radius; needs --contacts");
   grains->type_name("FILE")->excludes(snapshot);
@@ -182,7 +182,7 @@ void add_network(CLI::App& app, Action& action) {
 void add_export(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("export", "Write a scene for another code");
   auto options = options_of(command, action, &export_command);
-  command->add_option("scene", options->scene, "Scene (YAML)")->required()->type_name("SCENE");
+  command->add_option("SCENE", options->scene, "Scene (YAML)")->required()->type_name("FILE");
   add_set(command, options->set);
   command->add_option("--format", options->format, "Which code: lammps-deck")
       ->check(CLI::IsMember({"lammps-deck"}))
@@ -207,10 +207,9 @@ std::string unknown_subcommand(const CLI::App& app, const std::string& word) {
   return text;
 }
 
-std::string failure_text(const CLI::App* app, const CLI::Error& error) {
-  return "shakebed: error: " + std::string(error.what()) + "\nRun `" +
-         (app->get_parent() ? app->get_parent()->get_name() + " " : "") + app->get_name() +
-         " --help` for more information.\n";
+std::string failure_text(const CLI::App* /*app*/, const CLI::Error& error) {
+  return "shakebed: error: " + std::string(error.what()) +
+         "\nRun it with --help for more information.\n";
 }
 
 }  // namespace
