@@ -40,7 +40,8 @@ int sweep_collect_command(const SweepOptions& options);
 struct FitOptions {
   std::filesystem::path fit;
   std::optional<std::filesystem::path> data;  ///< overrides the fit file's table
-  std::optional<std::filesystem::path> csv;   ///< parameters; standard output without it
+  /// Parameters; the other tables go beside it (fitting/tables.hpp: table_path).
+  std::optional<std::filesystem::path> csv;
 };
 int fit_command(const FitOptions& options);
 

@@ -1,0 +1,305 @@
+#include "fitting/fit_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "files/atomic_file.hpp"
+#include "files/yaml.hpp"
+#include "fitting/models/all.hpp"
+
+namespace shakebed::fitting {
+namespace {
+
+using files::YamlNode;
+
+const std::vector<std::string> shared_keys = {
+    "id", "select", "for_each", "y", "y_error", "exclude", "peak_of", "minimum_stationary", "W_2"};
+const std::vector<std::string> fit_keys = {"x",          "model", "method",    "weights",
+                                           "covariance", "range", "reference", "compare_at"};
+const std::vector<std::string> peak_keys = {"depth"};
+
+std::vector<std::string> together(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// One entry of `fits` or `peaks`, with the file's `defaults` behind it.
+class Entry {
+ public:
+  Entry(YamlNode own, std::optional<YamlNode> defaults)
+      : own_(std::move(own)), defaults_(std::move(defaults)) {}
+
+  const YamlNode& node() const { return own_; }
+  std::optional<YamlNode> find(std::string_view key) const {
+    if (auto found = own_.find(key)) return found;
+    return defaults_ ? defaults_->find(key) : std::nullopt;
+  }
+  YamlNode at(std::string_view key) const {
+    if (auto found = find(key)) return *found;
+    return own_.at(key);  // throws with the place of this entry
+  }
+
+ private:
+  YamlNode own_;
+  std::optional<YamlNode> defaults_;
+};
+
+std::vector<YamlNode> one_or_more(const YamlNode& node) {
+  const auto nodes = node.is_sequence() ? node.elements() : std::vector<YamlNode>{node};
+  if (nodes.empty()) throw node.error("expected at least one entry");
+  return nodes;
+}
+
+template <class Word>
+Word word_of(const YamlNode& node, const std::vector<std::pair<std::string, Word>>& words) {
+  const std::string got = node.as_string();
+  std::vector<std::string> known;
+  for (const auto& [name, word] : words) {
+    if (name == got) return word;
+    known.push_back(name);
+  }
+  std::string list;
+  for (const auto& name : known) list += (list.empty() ? "" : ", ") + name;
+  const auto nearest = files::nearest_word(got, known);
+  throw node.error("expected one of " + list + "; got " + got +
+                   (nearest ? " (did you mean " + *nearest + "?)" : ""));
+}
+
+double positive(const YamlNode& node) {
+  const double value = node.as_double();
+  if (!(value > 0)) throw node.error("expected a positive number, got " + node.as_string());
+  return value;
+}
+
+double share(const YamlNode& node) {
+  const double value = node.as_double();
+  if (!(value > 0 && value <= 1)) {
+    throw node.error("expected a share above 0 and at most 1, got " + node.as_string());
+  }
+  return value;
+}
+
+std::vector<Filter> read_select(const YamlNode& node) {
+  std::vector<Filter> filters;
+  for (const auto& [column, value] : node.items()) {
+    filters.push_back({column, value.as_string(), value.where()});
+  }
+  return filters;
+}
+
+/// `{W: [1.3, 1.5], because: "..."}`
+Exclusion read_exclusion(const YamlNode& node) {
+  const std::string because = node.at("because").as_string();
+  const auto items = node.items();
+  if (items.size() != 2) {
+    throw node.error("expected one column with [from, to] and `because`");
+  }
+  const auto& [column, limits] = items[0].first == "because" ? items[1] : items[0];
+  const auto ends = limits.elements();
+  if (ends.size() != 2) throw limits.error("expected [from, to]");
+  return {column, ends[0].as_double(), ends[1].as_double(), because};
+}
+
+RangeBound read_bound(const YamlNode& node, const std::string& column) {
+  using Kind = RangeBound::Kind;
+  const std::string text = node.as_string();
+  if (text == "start") return {Kind::start};
+  if (text == "end") return {Kind::end};
+  if (text == "peak" || text == "W_2") {
+    if (column != "W") throw node.error("`" + text + "` bounds a range in W, not in " + column);
+    return {text == "peak" ? Kind::peak : Kind::W_2};
+  }
+  const bool word = !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+  if (word) throw node.error("expected a number, peak, W_2, start or end; got " + text);
+  return {Kind::number, node.as_double()};
+}
+
+RangeSpecification read_range(const YamlNode& node) {
+  RangeSpecification range;
+  std::optional<YamlNode> limits;
+  for (const auto& [key, value] : node.items()) {
+    if (key == "stretch") {
+      for (const auto& factor : value.elements()) range.stretch.push_back(positive(factor));
+    } else if (key == "known") {
+      range.certain = word_of<bool>(value, {{"given", true}, {"uncertain", false}});
+    } else if (limits) {
+      throw value.error("expected one column, `stretch` and `known`; a second column: " + key);
+    } else {
+      range.column = key;
+      limits = value;
+    }
+  }
+  if (!limits) throw node.error("expected a column with [from, to], for instance W: [peak, end]");
+  const auto ends = limits->elements();
+  if (ends.size() != 2) throw limits->error("expected [from, to]");
+  range.from = read_bound(ends[0], range.column);
+  range.to = read_bound(ends[1], range.column);
+  const bool numbers =
+      range.from.kind == RangeBound::Kind::number && range.to.kind == RangeBound::Kind::number;
+  if (numbers && range.from.number >= range.to.number) {
+    throw limits->error("the range is empty: from is not below to");
+  }
+  return range;
+}
+
+PrintedValue read_printed(const YamlNode& node) {
+  const std::string text = node.as_string();
+  const std::size_t point = text.find('.');
+  const std::size_t digits = point == std::string::npos ? 0 : text.size() - point - 1;
+  return {node.as_double(), 0.5 * std::pow(10.0, -double(digits))};
+}
+
+Reference read_reference(const YamlNode& node, const Model& model) {
+  node.refuse_unknown_keys(
+      together(model.parameters, {"correlation", "reported", "reported_error", "source"}));
+  Reference reference;
+  reference.source = node.at("source").as_string();
+  for (const auto& name : model.parameters) {
+    if (const auto value = node.find(name)) reference.parameters[name] = read_printed(*value);
+  }
+  const auto number = [&](std::string_view key) -> std::optional<double> {
+    const auto value = node.find(key);
+    return value ? std::optional(value->as_double()) : std::nullopt;
+  };
+  reference.correlation = number("correlation");
+  reference.reported = number("reported");
+  reference.reported_error = number("reported_error");
+  return reference;
+}
+
+Model read_model(const YamlNode& node) {
+  std::vector<std::pair<std::string, Model>> known;
+  for (const auto& model : all_models()) known.emplace_back(model.name, model);
+  return word_of<Model>(node, known);
+}
+
+void read_shared(const Entry& entry, DataSpecification& data) {
+  data.id = entry.node().at("id").as_string();
+  data.where = entry.node().where();
+  if (const auto select = entry.find("select")) data.rows.select = read_select(*select);
+  if (const auto columns = entry.find("for_each")) {
+    for (const auto& column : one_or_more(*columns)) data.for_each.push_back(column.as_string());
+  }
+  if (const auto list = entry.find("exclude")) {
+    for (const auto& one : list->elements()) data.rows.exclude.push_back(read_exclusion(one));
+  }
+  if (const auto least = entry.find("minimum_stationary")) {
+    data.rows.minimum_stationary = share(*least);
+  }
+  data.y = entry.at("y").as_string();
+  data.y_error = data.y + "_se";
+  if (const auto error = entry.find("y_error")) {
+    data.y_error = error->as_string() == "none" ? "" : error->as_string();
+  }
+  const auto peak_of = entry.find("peak_of");
+  data.peak_of = peak_of ? peak_of->as_string() : "T_z_scaled";
+  if (const auto rule = entry.find("W_2")) {
+    rule->refuse_unknown_keys({"within", "tail"});
+    if (const auto within = rule->find("within")) data.settling.within = share(*within);
+    if (const auto tail = rule->find("tail")) data.settling.tail = share(*tail);
+  }
+}
+
+FitSpecification read_fit(const Entry& entry) {
+  entry.node().refuse_unknown_keys(together(shared_keys, fit_keys));
+  FitSpecification fit;
+  read_shared(entry, fit);
+  fit.x = entry.at("x").as_string();
+  fit.model = read_model(entry.at("model"));
+  fit.methods = {fit.model.name == "power_law" ? Method::log_log : Method::linear};
+  if (const auto methods = entry.find("method")) {
+    fit.methods.clear();
+    for (const auto& method : one_or_more(*methods)) {
+      fit.methods.push_back(
+          word_of<Method>(method, {{"linear", Method::linear}, {"log_log", Method::log_log}}));
+      if (fit.methods.back() == Method::log_log && fit.model.name != "power_law") {
+        throw method.error("log_log fits a power_law, not " + fit.model.name);
+      }
+    }
+  }
+  fit.weights = {fit.y_error.empty() ? Weights::equal : Weights::errors};
+  if (const auto weights = entry.find("weights")) {
+    fit.weights.clear();
+    for (const auto& word : one_or_more(*weights)) {
+      fit.weights.push_back(
+          word_of<Weights>(word, {{"errors", Weights::errors}, {"equal", Weights::equal}}));
+      if (fit.weights.back() == Weights::errors && fit.y_error.empty()) {
+        throw word.error("`weights: errors` needs a y_error column");
+      }
+    }
+  }
+  if (const auto covariance = entry.find("covariance")) {
+    fit.scale =
+        word_of<Scale>(*covariance, {{"scaled", Scale::estimated}, {"given", Scale::given}});
+    if (fit.scale == Scale::given && std::ranges::count(fit.weights, Weights::equal) > 0) {
+      throw covariance->error("`covariance: given` needs `weights: errors`");
+    }
+  }
+  if (const auto range = entry.find("range")) fit.range = read_range(*range);
+  if (const auto reference = entry.find("reference")) {
+    fit.reference = read_reference(*reference, fit.model);
+  }
+  if (const auto places = entry.find("compare_at")) {
+    for (const auto& place : places->elements()) fit.compare_at.push_back(place.as_double());
+  }
+  return fit;
+}
+
+PeakSpecification read_peak(const Entry& entry) {
+  entry.node().refuse_unknown_keys(together(shared_keys, peak_keys));
+  PeakSpecification peak;
+  read_shared(entry, peak);
+  if (const auto depth = entry.node().find("depth")) peak.rule.depth = share(*depth);
+  return peak;
+}
+
+FitFile read(const YamlNode& root, const std::filesystem::path& file) {
+  root.refuse_unknown_keys({"fit", "id", "data", "defaults", "fits", "peaks"});
+  const YamlNode schema = root.at("fit");
+  if (schema.as_integer() != 1) {
+    throw schema.error("this program reads fit schema 1, got " + schema.as_string());
+  }
+  FitFile result;
+  result.id = root.at("id").as_string();
+  if (const auto data = root.find("data")) result.data = file.parent_path() / data->as_string();
+  const auto defaults = root.find("defaults");
+  if (defaults) {
+    defaults->refuse_unknown_keys(together(together(shared_keys, fit_keys), peak_keys));
+    if (const auto id = defaults->find("id")) throw id->error("every entry needs an id of its own");
+  }
+  std::set<std::string> ids;
+  const auto unique = [&](const DataSpecification& entry) {
+    if (!ids.insert(entry.id).second) {
+      throw files::bad_input(entry.where, "the id " + entry.id + " is used twice in this file");
+    }
+  };
+  if (const auto fits = root.find("fits")) {
+    for (const auto& node : fits->elements()) {
+      result.fits.push_back(read_fit(Entry(node, defaults)));
+      unique(result.fits.back());
+    }
+  }
+  if (const auto peaks = root.find("peaks")) {
+    for (const auto& node : peaks->elements()) {
+      result.peaks.push_back(read_peak(Entry(node, defaults)));
+      unique(result.peaks.back());
+    }
+  }
+  if (result.fits.empty() && result.peaks.empty()) {
+    throw root.error("nothing to do: expected `fits` or `peaks` with at least one entry");
+  }
+  return result;
+}
+
+}  // namespace
+
+FitFile read_fit_file(const std::filesystem::path& file) {
+  return read(YamlNode::load_file(file), file);
+}
+
+FitFile read_fit_text(std::string_view text, const std::filesystem::path& file) {
+  return read(YamlNode::load_text(text, file.string()), file);
+}
+
+}  // namespace shakebed::fitting
