@@ -3,11 +3,13 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/overrides.hpp"
 #include "cli/scene_schema.hpp"
 #include "simulator/contact/parameters.hpp"
 #include "simulator/scene/keys.hpp"
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/scene/warnings.hpp"
+#include "sweeps/cost_model.hpp"
 
 namespace shakebed::cli {
 
@@ -20,6 +22,13 @@ using simulator::Scene;
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// A guess has no more.
+std::string two_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 100 ? "%.2g" : "%.0f", value);
   return text;
 }
 
@@ -108,6 +117,9 @@ void print_scene(const std::string& name, const Scene& scene) {
   print_model(scene, parameters);
   print_contacts(parameters);
   print_numerics(scene, parameters);
+  line("cost", "about " + two_digits(sweeps::predicted_cpu_seconds(scene)) +
+                   " CPU seconds on one core, " + two_digits(sweeps::predicted_cycles(scene)) +
+                   " measured cycles (a guess)");
   for (const auto& warning : scene_warnings(scene, parameters)) line("warning", warning);
 }
 
@@ -120,7 +132,7 @@ int check_command(const CheckOptions& options) {
     std::fputs(scene_json_schema().c_str(), stdout);
   } else {
     print_scene(options.scene.string(),
-                simulator::read_scene(options.scene, simulator::parse_overrides(options.set)));
+                simulator::read_scene(options.scene, parse_overrides(options.set)));
   }
   return 0;
 }

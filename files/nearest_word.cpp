@@ -33,6 +33,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> nearest_word(std::string_view word,
                                         const std::vector<std::string>& known) {
+  if (word.size() > 64) return std::nullopt;  // no key: spare the table of distances
   std::optional<std::string> best;
   // Further than a third of the letters away, a suggestion misleads more than it helps.
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;

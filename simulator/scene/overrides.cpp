@@ -76,18 +76,6 @@ YamlNode without_replaced_drive_keys(YamlNode root, const Paths& set) {
 
 }  // namespace
 
-std::vector<Override> parse_overrides(const std::vector<std::string>& settings) {
-  std::vector<Override> overrides;
-  for (const auto& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw files::bad_input("--set " + setting, "expected key=value, such as base.drive.W=30");
-    }
-    overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1), ""});
-  }
-  return overrides;
-}
-
 YamlNode with_overrides(YamlNode root, const std::vector<Override>& overrides) {
   Paths drive_keys_set;
   for (const auto& [path, value, origin] : overrides) {

@@ -16,9 +16,6 @@ struct Override {
   std::string origin = {};  ///< named in errors; empty: "--set base.drive.W=30"
 };
 
-/// Splits "base.drive.W=30" at its first '='. Throws files::Error(bad_input) without one.
-std::vector<Override> parse_overrides(const std::vector<std::string>& settings);
-
 /// Applies overrides in their order. A value below a word or below nothing makes the maps on its
 /// way (protocol.transient.cycles=5 replaces `transient: auto`). Equivalent keys:
 ///  - grains.layers and grains.count, cell and cell_mm, units.diameter and grains.diameter_mm,
