@@ -1,0 +1,221 @@
+# The experiments as chains of files, each link declared once:
+#
+#   add_sweep(id FILE sweep.yaml [SHIPPED averages.csv])
+#   add_fit(id FILE fit.yaml SWEEP sweep-id)
+#   add_figure(id SPEC figure.yaml NEEDS sweep- and fit-ids)
+#
+# Every chain exists over tables of up to three origins, each with files under results/<origin>/:
+#   quick    targets sweep-<id>, fit-<id>, <figure id>           beds at the quick profile
+#   paper    the same names with -paper                          beds at the paper profile
+#   shipped  the same names with -shipped, and `refit` for all   averages under data/, no bed
+#
+# A sweep target always runs: `shakebed sweep run` asks the cache (file times must not decide about
+# physics), and its table is replaced only when its content changed. Fits and figures are ordinary
+# file rules behind that table, so a changed fit never touches a bed.
+#
+# A figure's specification knows the tables by the ids of its NEEDS: a sweep's table under its id,
+# a fit's under <id>.parameters, <id>.summary, <id>.curves, ... (SHAKEBED_FIT_TABLES).
+
+set(SHAKEBED_RESULTS "${CMAKE_BINARY_DIR}/results" CACHE PATH "Tables, fits and figures")
+set(SHAKEBED_FIT_TABLES parameters summary exponents curves comparison correlations points)
+
+add_custom_target(refit)
+
+function(shakebed_target_name out id origin)
+  if(origin STREQUAL "quick")
+    set(${out} "${id}" PARENT_SCOPE)
+  else()
+    set(${out} "${id}-${origin}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Sweeps and fits share their names, because figures ask for both by id.
+function(shakebed_declare kind id)
+  get_property(known GLOBAL PROPERTY SHAKEBED_${kind}_IDS)
+  if(id IN_LIST known)
+    message(FATAL_ERROR "${id} is declared twice; each link of a chain is declared once")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY SHAKEBED_${kind}_IDS "${id}")
+endfunction()
+
+function(shakebed_existing_file out id path)
+  cmake_path(ABSOLUTE_PATH path BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+  if(NOT EXISTS "${path}")
+    message(FATAL_ERROR "${id}: ${path} does not exist")
+  endif()
+  set(${out} "${path}" PARENT_SCOPE)
+endfunction()
+
+# What link `id` offers over tables of `origin`: the target that makes them and NAME=FILE pairs.
+function(shakebed_offer id origin target tables)
+  set_property(GLOBAL APPEND PROPERTY SHAKEBED_ORIGINS_${id} ${origin})
+  set_property(GLOBAL PROPERTY SHAKEBED_TARGET_${id}_${origin} "${target}")
+  set_property(GLOBAL PROPERTY SHAKEBED_TABLES_${id}_${origin} "${tables}")
+endfunction()
+
+# Targets, NAME=FILE pairs and files that `ids` offer over tables of `origin`; `offered` is false
+# when one of them has no such origin.
+function(shakebed_collect origin ids offered targets tables files)
+  set(${offered} TRUE PARENT_SCOPE)
+  set(all_targets)
+  set(all_tables)
+  foreach(id IN LISTS ids)
+    get_property(origins GLOBAL PROPERTY SHAKEBED_ORIGINS_${id})
+    if(NOT origins)
+      message(FATAL_ERROR "no sweep or fit ${id} is declared before this")
+    endif()
+    if(NOT origin IN_LIST origins)
+      set(${offered} FALSE PARENT_SCOPE)
+      return()
+    endif()
+    get_property(target GLOBAL PROPERTY SHAKEBED_TARGET_${id}_${origin})
+    get_property(pairs GLOBAL PROPERTY SHAKEBED_TABLES_${id}_${origin})
+    list(APPEND all_targets ${target})
+    list(APPEND all_tables ${pairs})
+  endforeach()
+  list(TRANSFORM all_tables REPLACE "^[^=]*=" "" OUTPUT_VARIABLE all_files)
+  set(${targets} "${all_targets}" PARENT_SCOPE)
+  set(${tables} "${all_tables}" PARENT_SCOPE)
+  set(${files} "${all_files}" PARENT_SCOPE)
+endfunction()
+
+# add_sweep(id FILE sweep.yaml [SHIPPED averages.csv])
+function(add_sweep id)
+  cmake_parse_arguments(PARSE_ARGV 1 S "" "FILE;SHIPPED" "")
+  shakebed_declare(SOURCE "${id}")
+  shakebed_existing_file(file "${id}" "${S_FILE}")
+  foreach(profile quick paper)
+    shakebed_target_name(target "sweep-${id}" ${profile})
+    set(table "${SHAKEBED_RESULTS}/${profile}/tables/${id}.csv")
+    add_custom_target(${target}
+      COMMAND shakebed sweep run "${file}" --profile ${profile}
+      COMMAND ${CMAKE_COMMAND} -E make_directory "${SHAKEBED_RESULTS}/${profile}/tables"
+      COMMAND shakebed sweep collect "${file}" --profile ${profile} --csv "${table}.new"
+      COMMAND ${CMAKE_COMMAND} "-DNEW=${table}.new" "-DTARGET=${table}"
+              -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake"
+      BYPRODUCTS "${table}"
+      # Without SHAKEBED_CACHE in the environment the cache is build/cache below this folder.
+      WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+      COMMENT "Sweep ${id} (${profile})" USES_TERMINAL VERBATIM)
+    shakebed_offer("${id}" ${profile} ${target} "${id}=${table}")
+  endforeach()
+  if(S_SHIPPED)
+    shakebed_existing_file(shipped "${id}" "${S_SHIPPED}")
+    shakebed_offer("${id}" shipped "" "${id}=${shipped}")
+  endif()
+endfunction()
+
+# add_fit(id FILE fit.yaml SWEEP sweep-id)
+function(add_fit id)
+  cmake_parse_arguments(PARSE_ARGV 1 F "" "FILE;SWEEP" "")
+  shakebed_declare(SOURCE "${id}")
+  shakebed_existing_file(file "${id}" "${F_FILE}")
+  foreach(origin quick paper shipped)
+    shakebed_collect(${origin} "${F_SWEEP}" offered sweep_target tables table)
+    if(NOT offered)
+      continue()
+    endif()
+    shakebed_target_name(target "fit-${id}" ${origin})
+    set(folder "${SHAKEBED_RESULTS}/${origin}/fits/${id}")
+    set(offers)
+    set(outputs)
+    foreach(kind IN LISTS SHAKEBED_FIT_TABLES)
+      list(APPEND outputs "${folder}/${kind}.csv")
+      list(APPEND offers "${id}.${kind}=${folder}/${kind}.csv")
+    endforeach()
+    add_custom_command(OUTPUT ${outputs}
+      COMMAND shakebed fit "${file}" --data "${table}" --csv "${folder}/parameters.csv"
+      DEPENDS "${file}" "${table}" shakebed
+      COMMENT "Fit ${id} (${origin})" VERBATIM)
+    add_custom_target(${target} DEPENDS ${outputs})
+    if(sweep_target)
+      add_dependencies(${target} ${sweep_target})
+    endif()
+    shakebed_offer("${id}" ${origin} ${target} "${offers}")
+  endforeach()
+endfunction()
+
+# add_figure(id SPEC figure.yaml NEEDS ids... [USES files...] [TABLE])
+# USES: files beside the specification that it names (script, hand-written tables). TABLE: the
+# figure is a table (.csv, .txt, .md) and not a picture (.csv, .svg, .png).
+function(add_figure id)
+  cmake_parse_arguments(PARSE_ARGV 1 G "TABLE" "SPEC" "NEEDS;USES")
+  shakebed_declare(FIGURE "${id}")
+  shakebed_existing_file(spec "${id}" "${G_SPEC}")
+  set(uses)
+  foreach(file IN LISTS G_USES)
+    shakebed_existing_file(used "${id}" "${file}")
+    list(APPEND uses "${used}")
+  endforeach()
+  set(endings csv svg png)
+  if(G_TABLE)
+    set(endings csv txt md)
+  endif()
+  foreach(origin quick paper shipped)
+    shakebed_collect(${origin} "${G_NEEDS}" offered needed_targets tables files)
+    if(NOT offered)
+      continue()
+    endif()
+    shakebed_target_name(target "${id}" ${origin})
+    set(folder "${SHAKEBED_RESULTS}/${origin}/figures")
+    list(TRANSFORM endings PREPEND "${folder}/${id}." OUTPUT_VARIABLE outputs)
+    list(TRANSFORM tables PREPEND "--table=" OUTPUT_VARIABLE table_options)
+    add_custom_command(OUTPUT ${outputs}
+      COMMAND shakebed figure "${id}" --spec "${spec}" ${table_options}
+              --output "${folder}"
+      DEPENDS "${spec}" ${uses} ${files} shakebed
+      COMMENT "Figure ${id} (${origin})" VERBATIM)
+    add_custom_target(${target} DEPENDS ${outputs})
+    if(needed_targets)
+      add_dependencies(${target} ${needed_targets})
+    endif()
+    set_property(GLOBAL PROPERTY SHAKEBED_OUTPUTS_${id}_${origin} "${outputs}")
+    if(origin STREQUAL "shipped")
+      add_dependencies(refit ${target})
+    endif()
+  endforeach()
+  set_property(GLOBAL PROPERTY SHAKEBED_NEEDS_${id} "${G_NEEDS}")
+endfunction()
+
+# add_job(name FIGURES ids... [PRINTS table-id]): one word for several figures, over beds; the text
+# of a table is printed at the end.
+function(add_job name)
+  cmake_parse_arguments(PARSE_ARGV 1 J "" "PRINTS" "FIGURES")
+  foreach(profile quick paper)
+    shakebed_target_name(job "${name}" ${profile})
+    set(figures)
+    foreach(id IN LISTS J_FIGURES)
+      shakebed_target_name(figure "${id}" ${profile})
+      list(APPEND figures ${figure})
+    endforeach()
+    set(printing)
+    if(J_PRINTS)
+      set(printing COMMAND ${CMAKE_COMMAND} -E cat
+                           "${SHAKEBED_RESULTS}/${profile}/figures/${J_PRINTS}.txt")
+    endif()
+    add_custom_target(${job} ${printing}
+      COMMAND ${CMAKE_COMMAND} -E echo "Figures and tables: ${SHAKEBED_RESULTS}/${profile}/figures"
+      USES_TERMINAL VERBATIM)
+    add_dependencies(${job} ${figures})
+  endforeach()
+endfunction()
+
+# pipeline.csv: the figures that are declared, for the manifest's test and the report's index.
+function(shakebed_write_pipeline)
+  set(lines "figure,needs,origins\n")
+  get_property(figures GLOBAL PROPERTY SHAKEBED_FIGURE_IDS)
+  foreach(id IN LISTS figures)
+    get_property(needs GLOBAL PROPERTY SHAKEBED_NEEDS_${id})
+    set(origins)
+    foreach(origin quick paper shipped)
+      get_property(outputs GLOBAL PROPERTY SHAKEBED_OUTPUTS_${id}_${origin})
+      if(outputs)
+        list(APPEND origins ${origin})
+      endif()
+    endforeach()
+    list(JOIN needs " " needs)
+    list(JOIN origins " " origins)
+    string(APPEND lines "${id},${needs},${origins}\n")
+  endforeach()
+  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/pipeline.csv" CONTENT "${lines}")
+endfunction()
