@@ -13,7 +13,7 @@ height(n) = column(curves_T_z_twice_scaled)
 # The rough systems stand second and fourth in `systems`.
 do for [panel = 1:2] {
   set lmargin at screen (panel == 1 ? 0.085 : 0.585)
-  set rmargin at screen (panel == 1 ? 0.485 : 0.985)
+  set rmargin at screen (panel == 1 ? 0.475 : 0.975)
   set label 1 (panel == 1 ? '(a)' : '(b)') at graph 0.04, 0.94
   if (panel == 1) {
     set xrange [0:95]
@@ -23,6 +23,8 @@ do for [panel = 1:2] {
     set logscale xy
     set xrange [1:100]
     set yrange [0.02:1]
+    set xtics (1, 2, 5, 10, 20, 50, 100)
+    set ytics (0.02, 0.05, 0.1, 0.2, 0.5, 1)
     unset key
   }
   plot for [s = 2:4:2] points using (steady(s, column(points_W))):(column(points_T_z_twice_scaled)):(column(points_T_z_twice_scaled_se)) \
