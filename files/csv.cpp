@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "files/atomic_file.hpp"
 #include "files/yaml.hpp"
@@ -41,7 +40,7 @@ std::string joined(const std::vector<std::string>& cells) {
 }
 
 CsvColumn column_from_header(const std::string& cell) {
-  const std::size_t bracket = cell.find(" [");
+  const std::size_t bracket = cell.rfind(" [");
   if (bracket == std::string::npos || cell.back() != ']') return {cell, ""};
   return {cell.substr(0, bracket), cell.substr(bracket + 2, cell.size() - bracket - 3)};
 }
@@ -170,8 +169,11 @@ std::vector<double> CsvTable::numbers(std::string_view column_name) const {
 std::string CsvTable::to_text() const {
   std::string text;
   for (const auto& entry : provenance) {
-    std::istringstream lines(entry);
-    for (std::string line; std::getline(lines, line);) text += "# " + line + '\n';
+    std::size_t begin = 0;
+    for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+      end = entry.find('\n', begin);
+      text += "# " + entry.substr(begin, end - begin) + '\n';
+    }
   }
   std::vector<std::string> header;
   for (const auto& column : columns_) header.push_back(column.name + " [" + column.unit + "]");
