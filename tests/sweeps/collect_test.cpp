@@ -1,0 +1,103 @@
+#include "sweeps/collect.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "sweeps/ensemble.hpp"
+#include "tests/sweeps/small_sweep.hpp"
+
+namespace shakebed::tests {
+namespace {
+
+using sweeps::store::Cache;
+
+const std::string three_points =
+    "axes: [{key: base.drive.W, values: [4, 9, 16], as: W_set}]\nreplicates: 2\n";
+
+void make(const std::vector<sweeps::Run>& runs, const Cache& cache) {
+  sweeps::run_ensemble(runs, cache,
+                       [](const auto& scene, const auto&) { return pretended_record(scene); },
+                       {2, {}, nullptr});
+}
+
+TEST_CASE("One row a point, in the grid's order, with provenance") {
+  const SmallSweep small;
+  const auto grid = small.grid(three_points);
+  const auto runs = sweeps::runs_of(grid);
+  const Cache cache(small.folder.path() / "cache");
+  make(runs, cache);
+  const auto collected = sweeps::collect(grid, cache);
+  CHECK(collected.runs_present == 6);
+  CHECK(collected.runs_missing == 0);
+  const auto& table = collected.table;
+  REQUIRE(table.rows() == 3);
+  CHECK(table.numbers("W_set") == std::vector<double>{4, 9, 16});
+  CHECK(table.number(1, table.column("W")) == Approx(9));
+  CHECK(table.number(1, table.column("replicates")) == 2);
+  CHECK(table.number(1, table.column("cycles")) == 20);
+  CHECK(table.number(1, table.column("collisions")) == 200);
+  CHECK(table.number(1, table.column("grains")) == 10);
+  CHECK(table.number(1, table.column("stationary")) == 1);
+  const double a = pretended_record(runs[2].scene).quantities[0].estimate.mean;
+  const double b = pretended_record(runs[3].scene).quantities[0].estimate.mean;
+  CHECK(table.number(1, table.column("T_z")) == Approx((a + b) / 2).epsilon(1e-14));
+  CHECK(table.number(1, table.column("T_z_se")) >= 0.01 / std::sqrt(2.0) * (1 - 1e-12));
+
+  const std::string text = table.to_text();
+  CHECK_THAT(text, Catch::Contains("# sweep: small\n# profile: quick\n# physics version: "));
+  CHECK_THAT(text, Catch::Contains("# points: 3, runs: 6\n# digest of the run keys: "));
+  CHECK(sweeps::collect(grid, cache).table.to_text() == text);
+}
+
+TEST_CASE("What is missing is said and left empty") {
+  const SmallSweep small;
+  const auto grid = small.grid(three_points);
+  auto runs = sweeps::runs_of(grid);
+  const Cache cache(small.folder.path() / "cache");
+  // The point W = 9 lacks both replicates, W = 16 one.
+  make({runs[0], runs[1], runs[5]}, cache);
+  cache.note_failure(runs[2].identity, "the bed never settles");
+  const auto collected = sweeps::collect(grid, cache);
+  CHECK(collected.runs_present == 3);
+  CHECK(collected.runs_missing == 3);
+  const auto& table = collected.table;
+  REQUIRE(table.rows() == 3);
+  CHECK(table.text(1, table.column("T_z")).empty());
+  CHECK(table.number(1, table.column("W")) == Approx(9));
+  CHECK(table.number(1, table.column("replicates")) == 0);
+  CHECK(table.text(1, table.column("reason")) == "not run");
+  CHECK(table.number(2, table.column("replicates")) == 1);
+  CHECK_THAT(table.to_text(), Catch::Contains("# incomplete: 3 runs are missing"));
+
+  const auto status = sweeps::status_of(grid, cache);
+  CHECK(status.cached == 3);
+  CHECK(status.missing == 3);
+  CHECK(status.failed == 1);
+  CHECK(status.predicted_cpu_seconds > 0);
+  REQUIRE(status.failures.size() == 1);
+  CHECK(status.failures[0] == "W_set = 9: the bed never settles");
+}
+
+TEST_CASE("A damaged run is left out of the table and said") {
+  const SmallSweep small;
+  const auto grid = small.grid(three_points);
+  const auto runs = sweeps::runs_of(grid);
+  const Cache cache(small.folder.path() / "cache");
+  make(runs, cache);
+  files::write_text(cache.file_of(runs[0].identity.key), "");
+  const auto collected = sweeps::collect(grid, cache);
+  CHECK(collected.runs_missing == 1);
+  REQUIRE(collected.problems.size() == 1);
+  CHECK_THAT(collected.problems[0], Catch::Contains(runs[0].identity.key));
+  CHECK(sweeps::status_of(grid, cache).missing == 1);
+}
+
+TEST_CASE("Collecting an empty cache makes no cache") {
+  const SmallSweep small;
+  const auto grid = small.grid(three_points);
+  const Cache cache(small.folder.path() / "cache");
+  CHECK(sweeps::collect(grid, cache).runs_present == 0);
+  CHECK_FALSE(std::filesystem::exists(cache.folder()));
+}
+
+}  // namespace
+}  // namespace shakebed::tests

@@ -1,0 +1,52 @@
+#include "sweeps/cost_model.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace shakebed::tests {
+namespace {
+
+using simulator::Scene;
+using sweeps::predicted_cpu_seconds;
+using sweeps::predicted_cycles;
+
+Scene bed(double W) {
+  Scene scene;
+  scene.grains.count = 100;
+  scene.grains.layers = 4;
+  scene.grains.friction = scene.base.friction = 0.4;
+  scene.cell = {5, 5};
+  scene.contact.tangential = simulator::TangentialLaw::viscous_coulomb;
+  scene.base.drive = {1, std::sqrt(W)};
+  scene.protocol.cycles = 1000;
+  return scene;
+}
+
+TEST_CASE("Dense beds at low W are the dearest, beds at rest are cheap") {
+  CHECK(predicted_cpu_seconds(bed(1.5)) > 2 * predicted_cpu_seconds(bed(22)));
+  CHECK(predicted_cycles(bed(0.9)) < 100);
+}
+
+TEST_CASE("Cost grows with grains and cycles") {
+  const double once = predicted_cpu_seconds(bed(22));
+  Scene longer = bed(22);
+  longer.protocol.cycles = 10000;
+  CHECK(predicted_cpu_seconds(longer) > 8 * once);
+  Scene wider = bed(22);
+  wider.grains.count = 400;
+  wider.cell = {10, 10};
+  CHECK(predicted_cpu_seconds(wider) == Approx(4 * once));
+}
+
+TEST_CASE("Cycles follow the precision asked for, up to the cap") {
+  Scene scene = bed(22);
+  scene.protocol.cycles.reset();
+  scene.protocol.until = Scene::Precision{"T_z", 0.01};
+  CHECK(predicted_cycles(scene) == Approx(210).epsilon(0.05));
+  scene.protocol.until->fraction = 0.005;
+  CHECK(predicted_cycles(scene) == Approx(4 * 210).epsilon(0.05));
+  scene.protocol.at_most = 300;
+  CHECK(predicted_cycles(scene) == 300);
+}
+
+}  // namespace
+}  // namespace shakebed::tests
