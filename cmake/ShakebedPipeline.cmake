@@ -20,6 +20,10 @@ set(SHAKEBED_RESULTS "${CMAKE_BINARY_DIR}/results" CACHE PATH "Tables, fits and 
 set(SHAKEBED_FIT_TABLES parameters summary exponents curves comparison correlations points)
 
 add_custom_target(refit)
+add_custom_target(data-hashes
+  COMMAND ${CMAKE_COMMAND} "-DMANIFEST=${PROJECT_SOURCE_DIR}/data_manifest.yaml"
+          -P "${PROJECT_SOURCE_DIR}/cmake/DataHashes.cmake"
+  VERBATIM)
 
 function(shakebed_target_name out id origin)
   if(origin STREQUAL "quick")
@@ -100,8 +104,14 @@ function(add_sweep id)
     shakebed_offer("${id}" ${profile} ${target} "${id}=${table}")
   endforeach()
   if(S_SHIPPED)
-    shakebed_existing_file(shipped "${id}" "${S_SHIPPED}")
-    shakebed_offer("${id}" shipped "" "${id}=${shipped}")
+    cmake_path(ABSOLUTE_PATH S_SHIPPED BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    # A glob, so that averages that arrive later are noticed without being asked to configure.
+    file(GLOB shipped CONFIGURE_DEPENDS "${S_SHIPPED}")
+    if(shipped)
+      shakebed_offer("${id}" shipped "" "${id}=${shipped}")
+    else()
+      message(STATUS "refit leaves out what needs ${id}: ${S_SHIPPED} is not there")
+    endif()
   endif()
 endfunction()
 

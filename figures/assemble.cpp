@@ -12,8 +12,8 @@ using files::CsvColumn;
 using files::CsvTable;
 
 bool same_header(const CsvTable& a, const CsvTable& b) {
-  return std::equal(a.columns().begin(), a.columns().end(), b.columns().begin(),
-                    b.columns().end(), [](const CsvColumn& left, const CsvColumn& right) {
+  return std::equal(a.columns().begin(), a.columns().end(), b.columns().begin(), b.columns().end(),
+                    [](const CsvColumn& left, const CsvColumn& right) {
                       return left.name == right.name && left.unit == right.unit;
                     });
 }
@@ -80,8 +80,9 @@ std::vector<std::size_t> picked_rows(const CsvTable& table, const Part& part) {
              filter.words.end();
     });
     if (rows.empty()) {
-      throw files::bad_input(filter.where, "no row of '" + table.name + "' is left after picking '" +
-                                               filter.column + "'; check the words as written there");
+      throw files::bad_input(filter.where, "no row of '" + table.name +
+                                               "' is left after picking '" + filter.column +
+                                               "'; check the words as written there");
     }
   }
   return rows;

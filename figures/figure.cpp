@@ -38,8 +38,7 @@ void draw_picture(const Specification& specification, const std::vector<WrittenP
                   const fs::path& stem) {
   std::vector<ScriptTable> for_script;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    for_script.push_back(
-        {specification.parts[i].name, parts[i].file, parts[i].table.columns()});
+    for_script.push_back({specification.parts[i].name, parts[i].file, parts[i].table.columns()});
   }
   draw(specification.script, for_script, specification.size, stem);
 }

@@ -100,7 +100,8 @@ std::string as_text(const Specification& specification, const std::vector<CsvTab
   std::string text = "\n" + specification.title + "\n";
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const auto& part = specification.parts[i];
-    text += "\n" + (part.title.empty() ? "" : part.title + "\n") + text_of(grid_of(part, tables[i]));
+    text +=
+        "\n" + (part.title.empty() ? "" : part.title + "\n") + text_of(grid_of(part, tables[i]));
   }
   if (!specification.notes.empty()) text += "\n";
   for (const auto& note : specification.notes) text += note + "\n";

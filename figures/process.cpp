@@ -70,8 +70,8 @@ ProcessResult run_process(const std::vector<std::string>& command) {
   for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, arguments.front(), actions.get(), nullptr,
-                                 arguments.data(), environ);
+  const int error =
+      posix_spawnp(&child, arguments.front(), actions.get(), nullptr, arguments.data(), environ);
   close(pipe_ends[1]);
   if (error != 0) {
     close(pipe_ends[0]);

@@ -23,9 +23,8 @@ std::vector<std::string> one_or_more_words(const YamlNode& node) {
 // Names become gnuplot variables and parts of file names.
 std::string plain_name(const YamlNode& node, const std::string& name) {
   const bool good = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) &&
-                    std::all_of(name.begin(), name.end(), [](unsigned char c) {
-                      return std::isalnum(c) || c == '_';
-                    });
+                    std::all_of(name.begin(), name.end(),
+                                [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!good) {
     throw node.error("'" + name + "' must be letters, digits and '_', starting with a letter");
   }

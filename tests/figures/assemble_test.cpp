@@ -21,7 +21,7 @@ figures::Part part_of(std::vector<std::string> tables) {
 }
 
 figures::PartColumn copied(const std::string& column, const std::string& as) {
-  return {figures::CopiedColumn{column, as}, "fig.yaml:11:9"};
+  return {figures::CopiedColumn{column, as, std::nullopt}, "fig.yaml:11:9"};
 }
 
 figures::Tables canonical() { return {{"canonical", tests::synthetic_canonical_table()}}; }
@@ -50,7 +50,8 @@ TEST_CASE("columns are picked and renamed, numbers stay as they were written") {
 
 TEST_CASE("points that are at rest or not stationary are named") {
   auto part = part_of({"canonical"});
-  part.columns = {copied("W", "W"), copied("system", "system"),
+  part.columns = {copied("W", "W"),
+                  copied("system", "system"),
                   {figures::StateColumn{"stationary", "at_rest"}, "fig.yaml:12:9"}};
   const auto table = figures::assemble(part, canonical());
   int at_rest = 0;

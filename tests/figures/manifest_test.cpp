@@ -33,6 +33,7 @@ TEST_CASE("shipped files are the ones the manifest vouches for") {
     CHECK(figures::sha256_of(source / file.path) == file.sha256);
     vouched.insert((source / file.path).lexically_normal());
   }
+  if (!fs::exists(source / "data")) return;
   for (const auto& item : fs::recursive_directory_iterator(source / "data")) {
     if (!item.is_regular_file()) continue;
     CAPTURE(item.path());

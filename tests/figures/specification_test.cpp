@@ -71,7 +71,7 @@ TEST_CASE("faults of a specification carry their place") {
       {with("[800, 600]", "[800, 6]"), "fig.yaml:5:13", "pixels"},
       {with("    from: [one, two]\n", ""), "fig.yaml:8:5", "exactly one of"},
       {with("as: temperature", "as: 2T"), "fig.yaml:12:9", "letter"},
-      {with("at_rest: at_rest", "at_rst: at_rest"), "fig.yaml:13:40", "at_rest"},
+      {with("at_rest: at_rest", "at_rst: at_rest"), "fig.yaml:13:41", "at_rest"},
       {with("  points:", "  po-ints:"), "fig.yaml:8:5", "letters"},
   };
   for (const auto& [text, place, words] : cases) {

@@ -45,18 +45,17 @@ struct Quantity {
 };
 
 const std::vector<Quantity> quantities = {
-    {"T_z_twice_scaled", "m V_p^2", 1},    {"T_x_twice_scaled", "m V_p^2", 0.55},
-    {"T_twice_scaled", "m V_p^2", 0.75},   {"T_z_scaled", "m V_p^2", 0.5},
-    {"T_x_scaled", "m V_p^2", 0.275},      {"T_scaled", "m V_p^2", 0.375},
+    {"T_z_twice_scaled", "m V_p^2", 1},     {"T_x_twice_scaled", "m V_p^2", 0.55},
+    {"T_twice_scaled", "m V_p^2", 0.75},    {"T_z_scaled", "m V_p^2", 0.5},
+    {"T_x_scaled", "m V_p^2", 0.275},       {"T_scaled", "m V_p^2", 0.375},
     {"T_z_volume_scaled", "m V_p^2", 0.48}, {"delta_h_cm_scaled", "V_p^2/g", 0.9}};
 
 }  // namespace
 
 files::CsvTable synthetic_canonical_table() {
-  std::vector<files::CsvColumn> columns = {{"system", ""},      {"frequency_rpm", "rpm"},
-                                           {"W", "1"},          {"Gamma", "1"},
-                                           {"V_p", "sqrt(g d)"}, {"layers", "1"},
-                                           {"grains", "1"}};
+  std::vector<files::CsvColumn> columns = {
+      {"system", ""},       {"frequency_rpm", "rpm"}, {"W", "1"},     {"Gamma", "1"},
+      {"V_p", "sqrt(g d)"}, {"layers", "1"},          {"grains", "1"}};
   for (const auto& quantity : quantities) {
     columns.push_back({quantity.name, quantity.unit});
     columns.push_back({quantity.name + "_se", quantity.unit});
