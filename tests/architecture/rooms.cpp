@@ -12,7 +12,7 @@ const std::vector<Room>& rooms() {
       {.folder = "files/", .ours = {"files/"}, .packages = {"yaml-cpp/"}, .posix = true},
       {.folder = "simulator/",
        .ours = {"files/", "simulator/"},
-       .packages = {"Eigen/", "Random123/", "xsimd/"},
+       .packages = {"Eigen/", "Random123/", "experimental/simd"},
        .posix = true},
       {.folder = "sweeps/store/",
        .ours = {"files/", "sweeps/store/", record, scene},
@@ -20,7 +20,7 @@ const std::vector<Room>& rooms() {
        .posix = true},
       {.folder = "sweeps/",
        .ours = {"files/", "simulator/", "sweeps/"},
-       .packages = {"tbb/", "oneapi/tbb/"},
+       .packages = {"tbb/", "boost/math/"},
        .posix = true},
       {.folder = "fitting/",
        .ours = {"files/", "fitting/", store_reading, record},
@@ -28,7 +28,7 @@ const std::vector<Room>& rooms() {
        .posix = false},
       {.folder = "fitting/networks/",
        .ours = {"files/", "fitting/", store_reading, record},
-       .packages = {"gsl/", "boost/", "nanoflann.hpp"},
+       .packages = {"gsl/", "Eigen/", "boost/", "nanoflann.hpp"},
        .posix = false},
       {.folder = "figures/",
        .ours = {"files/", "fitting/", "figures/"},
@@ -51,7 +51,7 @@ const std::vector<Sole>& soles() {
   static const std::vector<Sole> table = {
       {"CLI/", "cli/arguments.cpp"},  // three seconds of compiling for each file that includes it
       {"catch2/", "tests/"},
-      {"rapidcheck", "tests/"},
+
       {"benchmark/", "bench/"},
   };
   return table;
