@@ -134,7 +134,9 @@ function(add_fit id)
       list(APPEND offers "${id}.${kind}=${folder}/${kind}.csv")
     endforeach()
     add_custom_command(OUTPUT ${outputs}
+      COMMAND ${CMAKE_COMMAND} -E make_directory "${folder}"
       COMMAND shakebed fit "${file}" --data "${table}" --csv "${folder}/parameters.csv"
+              > "${folder}/report.txt"
       DEPENDS "${file}" "${table}" shakebed
       COMMENT "Fit ${id} (${origin})" VERBATIM)
     add_custom_target(${target} DEPENDS ${outputs})
