@@ -47,10 +47,10 @@ TEST_CASE("Equal runs give equal files; only /timing may differ") {
   write_run_file(folder.path() / "a.h5", record, some_provenance);
   ::usleep(1100000);  // HDF5 stores times in whole seconds when it is let
   write_run_file(folder.path() / "b.h5", record, some_provenance);
-  CHECK(files::read_text(folder.path() / "a.h5") == files::read_text(folder.path() / "b.h5"));
+  CHECK((files::read_text(folder.path() / "a.h5") == files::read_text(folder.path() / "b.h5")));
   record.timing.cpu_seconds += 1;
   write_run_file(folder.path() / "b.h5", record, some_provenance);
-  CHECK(files::read_text(folder.path() / "a.h5") != files::read_text(folder.path() / "b.h5"));
+  CHECK((files::read_text(folder.path() / "a.h5") != files::read_text(folder.path() / "b.h5")));
   CHECK(same_record(read_run_file(folder.path() / "b.h5").record, record));
 }
 

@@ -4,9 +4,8 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
-#include <fstream>
+#include <chrono>
 #include <map>
-#include <mutex>
 #include <thread>
 
 #include "files/error.hpp"
@@ -78,8 +77,8 @@ TEST_CASE("Data sets are the same for any number of threads and after an interru
 
   const auto expected = contents(one);
   CHECK(expected.size() == 25);  // and LAYOUT
-  CHECK(contents(two) == expected);
-  CHECK(contents(resumed) == expected);
+  CHECK((contents(two) == expected));
+  CHECK((contents(resumed) == expected));
 }
 
 TEST_CASE("A second run simulates nothing and touches no file") {
@@ -151,7 +150,7 @@ TEST_CASE("A damaged cached run is made again, and said") {
   CHECK(report.finished == 1);
   REQUIRE(report.made_again.size() == 1);
   CHECK_THAT(report.made_again[0], Catch::Contains(victim.string()));
-  CHECK(contents(cache) == before);
+  CHECK((contents(cache) == before));
 }
 
 TEST_CASE("Points that coincide are simulated once") {
@@ -194,11 +193,20 @@ TEST_CASE("A cache that cannot be written stops the beds instead of losing their
     files::write_text(cache.folder() / run.identity.key.substr(0, 2), "in the way");
   }
   std::atomic<int> begun = 0;
-  const auto counting = [&](const Scene& scene, const RunControl&) {
-    ++begun;
+  std::atomic<bool> told_to_stop = false;
+  const auto first_is_long = [&](const Scene& scene, const RunControl& control) {
+    if (++begun == 1) {
+      const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      while (!control.stop_requested() && std::chrono::steady_clock::now() < patience) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      told_to_stop = control.stop_requested();
+      throw files::Interrupted();
+    }
     return pretended_record(scene);
   };
-  CHECK_THROWS_AS(run_ensemble(runs, cache, counting, {2, {}, nullptr}), files::Error);
+  CHECK_THROWS_AS(run_ensemble(runs, cache, first_is_long, {2, {}, nullptr}), files::Error);
+  CHECK(told_to_stop);
   CHECK(begun <= 4);
   CHECK(run_files(cache) == 0);
 }
