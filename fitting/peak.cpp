@@ -25,16 +25,24 @@ std::size_t index_of_highest(const std::vector<double>& y) {
   return std::size_t(std::ranges::max_element(y) - y.begin());
 }
 
-/// y = p_0 + p_1 u + p_2 u^2 with u = ln(W/W_highest) over [first, last]; the grid point itself
-/// when the curve does not bend down there or the vertex falls outside.
+/// ln r for lambda = 0, otherwise (r^lambda - 1)/lambda: near r = 1 all the same.
+double stretched(double r, double lambda) {
+  return std::abs(lambda) < 1e-6 ? std::log(r) : (std::pow(r, lambda) - 1) / lambda;
+}
+double unstretched(double u, double lambda) {
+  return std::abs(lambda) < 1e-6 ? std::exp(u) : std::pow(1 + lambda * u, 1 / lambda);
+}
+
+/// y = p_0 + p_1 u + p_2 u^2 with u the stretched W/W_highest over [first, last]; the grid point
+/// itself when the curve does not bend down there or the vertex falls outside.
 Vertex parabola(const Curve& curve, const std::vector<double>& y, std::size_t highest,
-                std::size_t first, std::size_t last) {
+                std::size_t first, std::size_t last, double lambda) {
   const std::size_t n = last - first + 1;
   const auto design = gsl::matrix(n, 3);
   const auto weights = gsl::vector(n);
   const auto values = gsl::vector(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double u = std::log(curve.W[first + i] / curve.W[highest]);
+    const double u = stretched(curve.W[first + i] / curve.W[highest], lambda);
     for (std::size_t j = 0; j < 3; ++j) gsl_matrix_set(design.get(), i, j, std::pow(u, double(j)));
     const double error = curve.error[first + i];
     gsl_vector_set(weights.get(), i, 1 / (error * error));
@@ -51,14 +59,14 @@ Vertex parabola(const Curve& curve, const std::vector<double>& y, std::size_t hi
   const double p_1 = gsl_vector_get(p.get(), 1);
   const double p_2 = gsl_vector_get(p.get(), 2);
   const double u = -p_1 / (2 * p_2);
-  const double W = curve.W[highest] * std::exp(u);
-  if (!(p_2 < 0) || W < curve.W[first] || W > curve.W[last]) {
+  const double W = curve.W[highest] * unstretched(u, lambda);
+  if (!(p_2 < 0) || !(W >= curve.W[first] && W <= curve.W[last])) {
     return {curve.W[highest], y[highest], 1, false};
   }
   return {W, p_0 + p_1 * u / 2, n, true};
 }
 
-Vertex vertex(const Curve& curve, const std::vector<double>& y, double depth) {
+Vertex vertex(const Curve& curve, const std::vector<double>& y, double depth, double lambda) {
   const std::size_t highest = index_of_highest(y);
   if (highest == 0 || highest + 1 == y.size()) return {curve.W[highest], y[highest], 1, false};
   const double floor = (1 - depth) * y[highest];
@@ -66,13 +74,13 @@ Vertex vertex(const Curve& curve, const std::vector<double>& y, double depth) {
   std::size_t last = highest + 1;
   while (first > 0 && y[first] > floor && y[first - 1] > floor) --first;
   while (last + 1 < y.size() && y[last] > floor && y[last + 1] > floor) ++last;
-  return parabola(curve, y, highest, first, last);
+  return parabola(curve, y, highest, first, last, lambda);
 }
 
 /// Percentiles and spread of `statistic` over redrawn curves.
 std::vector<std::vector<double>> redraw(
     const Curve& curve, std::size_t draws, unsigned long seed, std::size_t outputs,
-    const std::function<std::vector<double>(const std::vector<double>&)>& statistic) {
+    const std::function<std::vector<double>(const std::vector<double>&, gsl_rng*)>& statistic) {
   const auto random = gsl::owned<gsl::RandomStream>(gsl_rng_alloc(gsl_rng_mt19937));
   gsl_rng_set(random.get(), seed);
   std::vector<std::vector<double>> samples(outputs);
@@ -81,7 +89,7 @@ std::vector<std::vector<double>> redraw(
     for (std::size_t i = 0; i < y.size(); ++i) {
       y[i] = curve.y[i] + gsl_ran_gaussian(random.get(), curve.error[i]);
     }
-    const auto values = statistic(y);
+    const auto values = statistic(y, random.get());
     for (std::size_t k = 0; k < outputs; ++k) samples[k].push_back(values[k]);
   }
   return samples;
@@ -147,13 +155,15 @@ Peak find_peak(const Curve& curve, std::optional<double> below, const PeakRule& 
   check_curve(curve, "W_f");
   Peak peak;
   peak.highest = highest_point(curve, below);
-  const Vertex best = vertex(curve, curve.y, rule.depth);
+  const Vertex best = vertex(curve, curve.y, rule.depth, 0);
   peak.points = best.points;
   peak.refined = best.refined;
-  const auto samples = redraw(curve, rule.draws, rule.seed, 2, [&](const std::vector<double>& y) {
-    const Vertex drawn = vertex(curve, y, rule.depth);
-    return std::vector<double>{drawn.W, drawn.height};
-  });
+  const auto samples =
+      redraw(curve, rule.draws, rule.seed, 2, [&](const std::vector<double>& y, gsl_rng* random) {
+        const double lambda = gsl_ran_flat(random, -rule.stretch, rule.stretch);
+        const Vertex drawn = vertex(curve, y, rule.depth, lambda);
+        return std::vector<double>{drawn.W, drawn.height};
+      });
   peak.W_f = summary(best.W, samples[0]);
   peak.height = summary(best.height, samples[1]);
   if (!best.refined) {
@@ -171,10 +181,11 @@ Settling find_settling(const Curve& curve, const SettlingRule& rule) {
   check_curve(curve, "W_2");
   Settling settling;
   settling.first = first_settled_point(curve, rule);
-  const auto samples = redraw(curve, rule.draws, rule.seed, 1, [&](const std::vector<double>& y) {
-    const std::size_t first = std::min(first_settled(y, rule), y.size() - 1);
-    return std::vector<double>{curve.W[first]};
-  });
+  const auto samples =
+      redraw(curve, rule.draws, rule.seed, 1, [&](const std::vector<double>& y, gsl_rng*) {
+        const std::size_t first = std::min(first_settled(y, rule), y.size() - 1);
+        return std::vector<double>{curve.W[first]};
+      });
   settling.W_2 = summary(curve.W[settling.first], samples[0]);
   return settling;
 }

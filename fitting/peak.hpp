@@ -36,15 +36,20 @@ struct PeakRule {
   /// The parabola spans the unbroken run of points around the highest whose y is within this share
   /// of it, and at least its two neighbours. Wider is less noisy, narrower is less biased by the
   /// curve's asymmetry.
-  double depth = 0.03;
+  double depth = 0.02;
+  /// Between grid points the curve's shape is not known: every draw of the bootstrap takes its
+  /// parabola in (W^lambda - 1)/lambda with lambda even in [-stretch, stretch], where the estimate
+  /// takes ln W (lambda = 0). With 2, curves of the paper's kind on its grid are covered.
+  double stretch = 2;
   std::size_t draws = 2000;
   unsigned long seed = 1;
 };
 
 /// W_f by a parabola in ln W, weighted by the errors, around the highest point; the bootstrap is
 /// parametric (every point redrawn from its normal distribution) and repeats the whole procedure,
-/// the choice of the highest point included. When the highest point is the first or last of the
-/// curve, W_f is that point, not refined, and its interval reaches to the grid points around it
+/// the choice of the highest point and of lambda included. When the highest point is the first or
+/// last of the curve, W_f is that point, not refined, and its interval reaches to the grid points
+/// around it
 /// (`below`: the next grid point under the curve, at rest or dropped). Throws Error(bad_input)
 /// when nothing was measured under the highest point: the sweep begins past its peak.
 Peak find_peak(const Curve& curve, std::optional<double> below, const PeakRule& rule = {});

@@ -1,22 +1,25 @@
 #include "fitting/profile_likelihood.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "fitting/gsl.hpp"
 
 namespace shakebed::fitting {
 namespace {
 
-/// chi^2 with one parameter held, minimised over the others, less its threshold; each step starts
-/// where the last one ended.
+/// chi^2 with one parameter held, minimised over the others, less its threshold. Descents start
+/// from the last accepted place, so that the profile is one continuous branch.
 class Profile {
  public:
   Profile(const Model& model, const Observations& data, const LeastSquaresFit& fit,
           std::size_t parameter, double threshold)
       : model_(model),
         data_(data),
-        start_(fit.values),
+        accepted_(fit.values),
         fixed_(fit.values.size(), false),
         parameter_(parameter),
         threshold_(threshold) {
@@ -24,39 +27,43 @@ class Profile {
   }
 
   double excess(double held) {
-    start_[parameter_] = held;
-    const Descent descent = descend(model_, data_, start_, fixed_);
-    if (!std::isfinite(descent.chi_squared)) return std::numeric_limits<double>::infinity();
-    start_ = descent.values;
+    auto start = accepted_;
+    start[parameter_] = held;
+    const Descent descent = descend(model_, data_, std::move(start), fixed_);
+    last_ = descent.values;
     return descent.chi_squared - threshold_;
   }
+  void accept_last() { accepted_ = last_; }
+  double accepted() const { return accepted_[parameter_]; }
 
  private:
   const Model& model_;
   const Observations& data_;
-  std::vector<double> start_;
+  std::vector<double> accepted_;
+  std::vector<double> last_;
   std::vector<bool> fixed_;
   std::size_t parameter_;
   double threshold_;
 };
 
-double crossing(Profile& profile, double inside, double outside) {
+/// Where the profile passes zero between the accepted place and `outside`.
+double crossing(Profile& profile, double outside) {
   gsl_function objective;
   objective.function = [](double held, void* self) {
     return static_cast<Profile*>(self)->excess(held);
   };
   objective.params = &profile;
+  const double inside = profile.accepted();
   const auto finder = gsl::owned<gsl::RootFinder>(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  const std::string doing = "the end of a profile-likelihood interval";
   gsl::check(gsl_root_fsolver_set(finder.get(), &objective, std::min(inside, outside),
                                   std::max(inside, outside)),
-             "the end of a profile-likelihood interval");
+             doing);
   for (int i = 0; i < 60; ++i) {
-    gsl::check(gsl_root_fsolver_iterate(finder.get()), "the end of a profile-likelihood interval");
+    gsl::check(gsl_root_fsolver_iterate(finder.get()), doing);
     const double lower = gsl_root_fsolver_x_lower(finder.get());
     const double upper = gsl_root_fsolver_x_upper(finder.get());
-    if (gsl_root_test_interval(lower, upper, std::abs(outside - inside) * 1e-4, 0) == GSL_SUCCESS) {
-      break;
-    }
+    if (upper - lower <= 1e-4 * std::abs(outside - inside)) break;
   }
   return gsl_root_fsolver_root(finder.get());
 }
@@ -66,17 +73,11 @@ double end_of_interval(const Model& model, const Observations& data, const Least
                        std::size_t parameter, double threshold, double step) {
   Profile profile(model, data, fit, parameter, threshold);
   const double best = fit.values[parameter];
-  const double farthest = 40 * std::abs(step);
-  double inside = best;
-  for (double distance = std::abs(step); distance <= farthest; distance *= 1.4) {
-    const double held = best + std::copysign(distance, step);
-    const double excess = profile.excess(held);
+  for (double steps = 1; steps <= 40; steps *= 1.4) {
+    const double excess = profile.excess(best + steps * step);
     if (!std::isfinite(excess)) break;
-    if (excess > 0) {
-      Profile fresh(model, data, fit, parameter, threshold);
-      return crossing(fresh, inside, held);
-    }
-    inside = held;
+    if (excess > 0) return crossing(profile, best + steps * step);
+    profile.accept_last();
   }
   return std::copysign(std::numeric_limits<double>::infinity(), step);
 }

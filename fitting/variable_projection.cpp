@@ -9,7 +9,7 @@
 namespace shakebed::fitting {
 namespace {
 
-constexpr std::size_t trials = 400;
+constexpr std::size_t trials = 200;
 
 struct Scan {
   const Model& model;
