@@ -126,7 +126,7 @@ void add_fit(CLI::App& app, Action& action) {
   fit->add_option("FIT", options->fit, "Fit (YAML)")->required()->type_name("FILE");
   fit->add_option("--data", options->data, "Use this table (CSV) in place of the fit's own")
       ->type_name("FILE");
-  fit->add_option("--csv", options->csv, "Write the parameters here, not to standard output")
+  fit->add_option("--csv", options->csv, "Write the parameters here and the other tables beside it")
       ->type_name("FILE");
 }
 
@@ -150,7 +150,7 @@ void add_network(CLI::App& app, Action& action) {
   auto* network = app.add_subcommand(
       "network", "Force networks, force statistics and spanning trees of one snapshot");
   auto options = options_of(network, action, &network_command);
-  auto* snapshot = network->add_option("SNAPSHOT", options->snapshot, "Snapshot (HDF5)");
+  auto* snapshot = network->add_option("SNAPSHOT", options->snapshot, "Snapshot (HDF5): run.h5, or run.h5:NAME");
   snapshot->type_name("FILE");
   auto* grains = network->add_option("--grains", options->grains,
                                      "Grains (CSV): id, x, y, z, radius; needs --contacts");
@@ -168,9 +168,25 @@ void add_network(CLI::App& app, Action& action) {
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str()
       ->type_name("X");
+  network->add_option("--force-bin", options->force_bin, "Bin of f = Fn / mean(Fn)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("X");
+  network
+      ->add_option("--correlation-bin", options->correlation_bin,
+                   "Bin of F(r) [median grain diameter]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("X");
+  network
+      ->add_option("--correlation-reach", options->correlation_reach,
+                   "Largest r of F(r) [median grain diameter]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("X");
   network->add_option("--json", options->json, "Write the results as JSON; - is standard output")
       ->type_name("FILE|-");
-  network->add_option("--csv", options->csv_folder, "Write the tables into this folder")
+  network->add_option("--csv-folder,--csv", options->csv_folder, "Write the tables into this folder")
       ->type_name("DIR");
   network->parse_complete_callback([snapshot, grains] {
     if (snapshot->count() + grains->count() == 0) {
