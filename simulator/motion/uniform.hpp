@@ -76,6 +76,7 @@ class UniformStepper {
   EnergyLedger& ledger() { return ledger_; }
   long step_in_cycle() const { return step_in_cycle_; }
   const std::vector<NeighbourPair<D>>& neighbour_pairs() const { return pairs_; }
+  long list_builds() const { return list_builds_; }
 
   /// Kinetic, potential and stored elastic energy [m g d].
   double energy() { return mechanical_energy(synchronised(), physics_.gravity) + elastic_energy(); }
@@ -177,6 +178,7 @@ class UniformStepper {
   /// A skin that lasts about 160 steps at present speeds (half of speed_bound): longer lists cost
   /// every step, more frequent builds cost a search each.
   void rebuild() {
+    ++list_builds_;
     const double widest = 0.5 * physics_.cell.narrowest() - 2 * grain_radius;
     skin_ = std::clamp(2 * 80 * speed_bound() * physics_.time_step, std::min(0.1, widest),
                        std::min(1.0, widest));
@@ -219,6 +221,7 @@ class UniformStepper {
   GrainState state_;
   Columns<D> built_at_;
   double skin_ = 0;
+  long list_builds_ = 0;
   long step_stamp_ = 0;
   long step_in_cycle_ = 0;
   long steps_until_list_check_ = 1;
