@@ -6,6 +6,7 @@
 #include "simulator/bed.hpp"
 #include "simulator/contact/frictionless.hpp"
 #include "simulator/contact/viscous_coulomb.hpp"
+#include "simulator/motion/events.hpp"
 #include "simulator/scene/read_scene.hpp"
 
 namespace shakebed::simulator {
@@ -56,6 +57,39 @@ void warn(Record& record, const Scene& scene, const Parameters& p, const EnergyL
   }
 }
 
+void write_counters(Record& record, const EventCounters& counters) {
+  const auto add = [&](const char* name, long value) {
+    record.scalars.push_back({name, "1", static_cast<double>(value)});
+  };
+  add("contacts_closed", counters.closed);
+  add("contacts_fine", counters.fine);
+  add("contacts_undone", counters.undone);
+  add("breaches", counters.breaches);
+  add("dense_steps", counters.dense_steps);
+}
+
+template <class MoverType>
+void run_protocol(Record& record, const Scene& scene, const Parameters& p, MoverType& mover,
+                  double rest_height, const RunControl& control) {
+  constexpr int D = MoverType::D;
+  Protocol<MoverType, D> protocol(scene, p, mover, control);
+  Measurement<D> measurement(scene, rest_height);
+  if (scene.protocol.until && !measurement.knows(scene.protocol.until->quantity)) {
+    throw files::bad_input("protocol.measure.until",
+                           "nothing called '" + scene.protocol.until->quantity +
+                               "' is measured in this scene; use T_z, T_x, T or h_cm");
+  }
+  const long transient = protocol.discard();
+  const double energy_before = mover.energy();
+  mover.ledger() = {};
+  const double measuring = thread_cpu_seconds();
+  protocol.measure(measurement);
+  record.timing.cpu_seconds_measuring = thread_cpu_seconds() - measuring;
+  record.scalars.push_back({"transient", "cycles", static_cast<double>(transient)});
+  measurement.write(record, mover.ledger(), mover.energy() - energy_before);
+  warn(record, scene, p, mover.ledger());
+}
+
 template <class Physics>
 Record run(const Scene& scene, const RunControl& control) {
   constexpr int D = Physics::dimension;
@@ -71,24 +105,15 @@ Record run(const Scene& scene, const RunControl& control) {
   write_parameters(record, scene, p);
 
   const auto bed = settle<Physics>(scene, control);
-  using MoverType = UniformStepper<Physics>;
-  MoverType mover(bind_physics<Physics>(scene, p), bed.grains);
-  Protocol<MoverType, D> protocol(scene, p, mover, control);
-  Measurement<D> measurement(scene, bed.rest_height);
-  if (scene.protocol.until && !measurement.knows(scene.protocol.until->quantity)) {
-    throw files::bad_input("protocol.measure.until",
-                           "nothing called '" + scene.protocol.until->quantity +
-                               "' is measured in this scene; use T_z, T_x, T or h_cm");
+  const auto physics = bind_physics<Physics>(scene, p);
+  if (scene.protocol.engine == Engine::uniform) {
+    UniformStepper<Physics> mover(physics, bed.grains);
+    run_protocol(record, scene, p, mover, bed.rest_height, control);
+  } else {
+    EventEngine<Physics> mover(physics, p, bed.grains, scene.protocol.contacts);
+    run_protocol(record, scene, p, mover, bed.rest_height, control);
+    write_counters(record, mover.counters());
   }
-  const long transient = protocol.discard();
-  const double energy_before = mover.energy();
-  mover.ledger() = {};
-  const double measuring = thread_cpu_seconds();
-  protocol.measure(measurement);
-  record.timing.cpu_seconds_measuring = thread_cpu_seconds() - measuring;
-  record.scalars.push_back({"transient", "cycles", static_cast<double>(transient)});
-  measurement.write(record, mover.ledger(), mover.energy() - energy_before);
-  warn(record, scene, p, mover.ledger());
 
   record.timing.cpu_seconds = thread_cpu_seconds() - started;
   record.timing.wall_seconds =

@@ -75,6 +75,20 @@ struct LeapfrogGrains {
     for (auto& column : spin_acceleration) column[k] = 0;
   }
 
+  void copy_row(std::size_t to, const LeapfrogGrains& other, std::size_t from) {
+    for (int c = 0; c < D; ++c) {
+      position[c][to] = other.position[c][from];
+      half_velocity[c][to] = other.half_velocity[c][from];
+      predicted_velocity[c][to] = other.predicted_velocity[c][from];
+      acceleration[c][to] = other.acceleration[c][from];
+    }
+    for (int c = 0; c < S; ++c) {
+      half_spin[c][to] = other.half_spin[c][from];
+      predicted_spin[c][to] = other.predicted_spin[c][from];
+      spin_acceleration[c][to] = other.spin_acceleration[c][from];
+    }
+  }
+
   Vector<D> velocity_now(std::size_t k, double time_step) const {
     return row(half_velocity, k) + 0.5 * time_step * row(acceleration, k);
   }

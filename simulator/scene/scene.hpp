@@ -21,6 +21,9 @@ enum class NormalLaw { linear_spring_dashpot };
 enum class TangentialLaw { frictionless, viscous_coulomb };
 enum class TangentialDamping { as_normal, critical, value };
 enum class Engine { automatic, uniform, events };
+/// What the event engine does with a contact: step through it, or take it in one stride when it is
+/// provably isolated (automatic: the latter).
+enum class ContactOperator { automatic, fine, closed };
 
 /// One bed as the user asked for it, in reduced units (grain diameter d = 1, grain mass m = 1,
 /// time sqrt(d/g)). Reading fills every member; `auto` stays an empty optional.
@@ -65,6 +68,7 @@ struct Scene {
     double time_step_fraction = 0.02;  ///< dt / t_c
     bool allow_coarse_time_step = false;  ///< accept dt > t_c/5
     Engine engine = Engine::automatic;
+    ContactOperator contacts = ContactOperator::automatic;
   } protocol;
 
   std::uint64_t seed = 1;

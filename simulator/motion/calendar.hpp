@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "simulator/motion/lanes.hpp"
+
+namespace shakebed::simulator {
+
+/// One next event per grain: its time, and the earliest over all grains. Times lie in blocks of
+/// lanes, with the earliest of each block kept, so that finding and changing cost two short scans
+/// for any bed that fits a machine.
+class Calendar {
+ public:
+  explicit Calendar(std::size_t count)
+      : times_((count + block - 1) / block * block, forever()),
+        earliest_((times_.size() / block + lane_count - 1) / lane_count * lane_count, forever()) {}
+
+  double time(std::size_t i) const { return times_[i]; }
+
+  void set(std::size_t i, double time) {
+    times_[i] = time;
+    const std::size_t b = i / block;
+    earliest_[b] = least(&times_[b * block], block);
+  }
+
+  struct Entry {
+    std::uint32_t grain;
+    double time;
+  };
+
+  Entry earliest() const {
+    const double time = least(earliest_.data(), earliest_.size());
+    const auto b = static_cast<std::size_t>(std::find(earliest_.begin(), earliest_.end(), time) -
+                                            earliest_.begin());
+    const auto first = times_.begin() + static_cast<std::ptrdiff_t>(b * block);
+    const auto k = std::find(first, first + block, time) - times_.begin();
+    return {static_cast<std::uint32_t>(k), time};
+  }
+
+  /// What was time T is time 0.
+  void rebase(double T) {
+    for (double& t : times_) t -= T;
+    for (double& t : earliest_) t -= T;
+  }
+
+ private:
+  static constexpr std::size_t block = 64;
+  static constexpr double forever() { return std::numeric_limits<double>::infinity(); }
+
+  static double least(const double* values, std::size_t count) {
+    Lanes best = forever();
+    for (std::size_t k = 0; k < count; k += lane_count) {
+      best = std::experimental::min(best, load_lanes(values + k));
+    }
+    return std::experimental::hmin(best);
+  }
+
+  std::vector<double> times_;
+  std::vector<double> earliest_;
+};
+
+}  // namespace shakebed::simulator

@@ -1,0 +1,178 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "files/error.hpp"
+#include "simulator/contact/parameters.hpp"
+#include "simulator/motion/calendar.hpp"
+#include "simulator/motion/closed_contact.hpp"
+#include "simulator/motion/dense.hpp"
+#include "simulator/motion/fine_contact.hpp"
+#include "simulator/motion/flight.hpp"
+#include "simulator/motion/isolation.hpp"
+#include "simulator/motion/next_touch.hpp"
+#include "simulator/motion/ongoing_contact.hpp"
+
+namespace shakebed::simulator {
+
+/// How many contacts went which way, and whether anything slipped through.
+struct EventCounters {
+  long closed = 0;    ///< contacts taken in one stride
+  long fine = 0;      ///< contacts that were stepped because the scene or a neighbour asked for it
+  long undone = 0;    ///< closed contacts undone because a third grain came near
+  long breaches = 0;  ///< grains found overlapping before their touch was seen: must stay 0
+  long dense_steps = 0;  ///< steps taken with all grains on the grid
+};
+
+/// Pays for collisions, not for steps: grains fly on parabolas, each with one next event (a touch
+/// with a grain or the base, or a second look at periodic images), and only grains in contact are
+/// integrated. `fine` steps every contact on the global grid and reproduces the uniform engine to
+/// rounding; `closed` takes contacts that are provably isolated in one stride by their exact
+/// solution, and everything else as `fine`. When most grains touch, all of them are handed to the
+/// dense stepper until they fly again. See docs/engine.md.
+template <class Physics>
+class EventEngine {
+ public:
+  static constexpr int D = Physics::dimension;
+  static constexpr int S = Physics::GrainState::spin_columns;
+  static constexpr int vertical = Dimension<D>::vertical;
+  using GrainState = typename Physics::GrainState;
+  using SpinRow = Eigen::Matrix<double, S, 1>;
+
+  EventEngine(const Physics& physics, const Parameters& parameters, const GrainState& start,
+              ContactOperator contacts)
+      : physics_(physics),
+        contacts_(contacts),
+        pair_contact_(parameters.grain_grain, true),
+        base_contact_(parameters.grain_base, false),
+        count_(start.count()),
+        flights_(start.count(), physics.gravity),
+        calendar_(start.count()),
+        events_(start.count()),
+        generation_(start.count(), 0),
+        state_(start) {
+    LeapfrogGrains<Physics> grains;
+    grains.resize_to(count_);
+    grains.position = start.position;
+    grains.half_velocity = start.velocity;
+    grains.half_spin = start.spin;
+    auto& fall = grains.acceleration[vertical];
+    std::fill(fall.begin(), fall.end(), -physics.gravity);
+    dense_.emplace(physics_, std::move(grains), 0, std::vector<PairOfGrains>{},
+                   std::vector<std::uint32_t>{});
+    dense_->begin(ledger_);
+    ledger_ = {};
+  }
+
+  void advance(long steps) {
+    const long chunk = std::max(1L, physics_.steps_per_cycle / 64);
+    while (steps > 0) {
+      advance_to(step_ + std::min(steps, chunk));
+      steps -= std::min(steps, chunk);
+    }
+  }
+
+  const GrainState& synchronised();
+  EnergyLedger& ledger() { return ledger_; }
+  const EventCounters& counters() const { return counters_; }
+  double energy();
+  long step_in_cycle() const { return step_ % physics_.steps_per_cycle; }
+
+ private:
+  using PairOfGrains = typename DenseStepper<Physics>::PairOfGrains;
+  using Ongoing = OngoingContact<Physics>;
+  using Motion = GrainMotion<Physics>;
+
+  enum class EventKind { look_again, pair, base };
+  struct Event {
+    EventKind kind = EventKind::look_again;
+    std::uint32_t partner = 0;
+    std::uint32_t partner_generation = 0;
+  };
+
+  // Time is counted from the epoch, which moves along: a step of the run and a short double.
+  double time_of(long step) const {
+    return static_cast<double>(step - epoch_step_) * physics_.time_step;
+  }
+  double epoch_phase() const {
+    return static_cast<double>(epoch_step_ % physics_.steps_per_cycle) /
+           static_cast<double>(physics_.steps_per_cycle);
+  }
+  double period() const {
+    return physics_.time_step * static_cast<double>(physics_.steps_per_cycle);
+  }
+  BaseState base_at(double t) const { return physics_.base.at(epoch_phase() + t / period()); }
+  BaseState base_at_step(long step) const {
+    return physics_.base_at_step(step % physics_.steps_per_cycle);
+  }
+
+  void advance_to(long target);
+  void rebase();
+  void guard_progress(double t);
+
+  // Events.
+  void predict(std::size_t i, double from);
+  void handle(std::uint32_t i, double t);
+  void touch_pair(std::uint32_t i, std::uint32_t j, double t);
+  void touch_base(std::uint32_t i, double t);
+  Motion motion_of(std::uint32_t i, double t) const;
+  bool take_pair_in_one_stride(std::uint32_t i, std::uint32_t j, double t);
+  bool take_base_in_one_stride(std::uint32_t i, double t);
+  bool isolated(const IsolatedGrain<D>* members, std::size_t count, double t, double duration);
+  void launch(std::uint32_t i, const Motion& motion, double t);
+
+  // Grains on the grid.
+  void step_fine();
+  void activate(std::uint32_t i, double t);
+  void take_out_of_flight(std::uint32_t i);
+  void regroup();
+  void pull_in_neighbours(std::size_t k);
+  void undo(std::uint32_t grain);
+
+  // Hand-over between events and the dense stepper.
+  bool too_dense() const { return fine_.count() > std::max<std::size_t>(8, count_ * 2 / 5); }
+  void enter_dense(const std::vector<PairOfGrains>& touching);
+  void run_dense(long target);
+  void leave_dense();
+
+  static constexpr long regroup_window = 24;
+
+  Physics physics_;
+  ContactOperator contacts_;
+  ClosedContact<D, Physics::turns_grains> pair_contact_;
+  ClosedContact<D, Physics::turns_grains> base_contact_;
+  std::size_t count_;
+
+  long step_ = 0;        ///< grid step the run (or the grains on the grid) has reached
+  long epoch_step_ = 0;  ///< grid step at which the flights' time is zero
+  Flights<D, static_cast<std::size_t>(S)> flights_;
+  Calendar calendar_;
+  std::vector<Event> events_;
+  std::vector<std::uint32_t> generation_;  ///< raised whenever a grain's flight ends
+  double fastest_flight_ = 0;
+  std::vector<Ongoing> ongoing_;
+  FineContacts<Physics> fine_;
+  std::vector<char> fresh_;                 ///< rows of fine_ about to touch
+  std::vector<PairOfGrains> undone_pairs_;  ///< touching already when they came onto the grid
+  long regroup_at_ = 0;
+  std::optional<DenseStepper<Physics>> dense_;
+
+  EnergyLedger ledger_;
+  EventCounters counters_;
+  GrainState state_;
+  std::vector<std::uint32_t> near_;
+  std::vector<std::uint32_t> released_;
+  double last_event_time_ = 0;
+  long events_without_progress_ = 0;
+};
+
+}  // namespace shakebed::simulator
+
+#include "simulator/motion/events_flying.hpp"
+#include "simulator/motion/events_on_grid.hpp"

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "simulator/dimension.hpp"
+#include "simulator/motion/lanes.hpp"
+
+namespace shakebed::simulator {
+
+/// Grains in free flight, as parabolas about one common epoch:
+///   x(t) = x0 + v0 t - (g/2) t^2 z,   v(t) = v0 - g t z,   spin constant.
+/// With one epoch for all, gravity drops out of every difference of two flights. The epoch is
+/// moved along (rebase), so that t stays below a cycle whatever the length of the run. Rows are
+/// padded to whole SIMD lanes with absent grains, which stand so far away that they meet nobody.
+template <int D, std::size_t S>
+class Flights {
+ public:
+  static constexpr int vertical = Dimension<D>::vertical;
+  using SpinRow = Eigen::Matrix<double, static_cast<int>(S), 1>;
+
+  Columns<D> position;             ///< x0
+  Columns<D> velocity;             ///< v0
+  Columns<S> spin;                 ///< constant
+  std::vector<double> valid_from;  ///< a closed contact lasts until then; the flight begins there
+
+  Flights(std::size_t count, double gravity) : count_(count), gravity_(gravity) {
+    const std::size_t padded = (count + lane_count - 1) / lane_count * lane_count;
+    resize(position, padded);
+    resize(velocity, padded);
+    resize(spin, padded);
+    valid_from.assign(padded, 0.0);
+    present_.assign(padded, false);
+    for (std::size_t i = 0; i < padded; ++i) remove(i);
+  }
+
+  std::size_t count() const { return count_; }
+  std::size_t padded() const { return valid_from.size(); }
+  bool present(std::size_t i) const { return present_[i]; }
+  double gravity() const { return gravity_; }
+
+  Vector<D> position_at(std::size_t i, double t) const {
+    Vector<D> x = row(position, i) + t * row(velocity, i);
+    x[vertical] -= 0.5 * gravity_ * t * t;
+    return x;
+  }
+  Vector<D> velocity_at(std::size_t i, double t) const {
+    Vector<D> v = row(velocity, i);
+    v[vertical] -= gravity_ * t;
+    return v;
+  }
+
+  /// From time t on grain i flies from x with velocity v.
+  void set(std::size_t i, const Vector<D>& x, Vector<D> v, double t) {
+    v[vertical] += gravity_ * t;
+    Vector<D> origin = x - t * v;
+    origin[vertical] += 0.5 * gravity_ * t * t;
+    set_row(position, i, origin);
+    set_row(velocity, i, v);
+    valid_from[i] = t;
+    present_[i] = true;
+  }
+
+  /// Grain i is not in flight.
+  void remove(std::size_t i) {
+    constexpr double nowhere = 1e18;
+    for (auto& column : position) column[i] = 0;
+    for (auto& column : velocity) column[i] = 0;
+    position[vertical][i] = nowhere;
+    valid_from[i] = 0;
+    present_[i] = false;
+  }
+
+  /// Moves the epoch by T: what was time T is time 0.
+  void rebase(double T) {
+    for (int c = 0; c < D; ++c) {
+      double* __restrict x = position[c].data();
+      const double* __restrict v = velocity[c].data();
+      const double fall = c == vertical ? 0.5 * gravity_ * T * T : 0.0;
+      for (std::size_t i = 0; i < padded(); ++i) x[i] += T * v[i] - fall;
+    }
+    for (double& v : velocity[vertical]) v -= gravity_ * T;
+    for (double& t : valid_from) t -= T;
+  }
+
+ private:
+  std::size_t count_;
+  double gravity_;
+  std::vector<char> present_;
+};
+
+}  // namespace shakebed::simulator

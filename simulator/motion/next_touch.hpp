@@ -1,0 +1,147 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "simulator/boundary/base.hpp"
+#include "simulator/boundary/periodic.hpp"
+#include "simulator/grains/grains.hpp"
+#include "simulator/motion/flight.hpp"
+
+namespace shakebed::simulator {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+struct NextTouch {
+  double time = never;  ///< when the pair touches
+  std::uint32_t partner = 0;
+  double recheck = never;  ///< until then nearest images hold; look again at this time
+};
+
+/// The first touch of grain i with any other grain in flight, looking from time `from`.
+///
+/// The separation r(t) = r + u tau of two flights is a straight line: |r + u tau| = 1 at
+///   tau = (r.r - 1) / (-r.u + sqrt((r.u)^2 - u.u (r.r - 1))),  if r.u < 0 and the root is real.
+/// Only the image nearest at `from` is followed. Another image can touch only after the pair has
+/// travelled L - 1 - |dx| across the cell and is level to within a diameter: before the earliest
+/// such time over all partners the answer is exact, and that time is returned as `recheck`.
+template <int D, std::size_t S>
+NextTouch next_pair_touch(const Flights<D, S>& flights, const PeriodicCell<D>& cell, std::size_t i,
+                          double from) {
+  namespace stdx = std::experimental;
+  const double start = std::max(from, flights.valid_from[i]);
+  Lanes best_time = never;
+  Lanes best_partner = 0;
+  Lanes best_recheck = never;
+  Lanes index = lane_numbers();
+  for (std::size_t j = 0; j < flights.padded();
+       j += lane_count, index += static_cast<double>(lane_count)) {
+    const Lanes t = stdx::max(Lanes(start), load_lanes(&flights.valid_from[j]));
+    Lanes rr = 0, ru = 0, uu = 0, image_change = never, dz = 0, uz = 0;
+    for (int c = 0; c < D; ++c) {
+      const Lanes u = load_lanes(&flights.velocity[c][j]) - flights.velocity[c][i];
+      Lanes r = load_lanes(&flights.position[c][j]) - flights.position[c][i] + u * t;
+      if (c < Dimension<D>::lateral) {
+        const double width = cell.width[c];
+        r -= width * stdx::nearbyint(r * (1 / width));
+        image_change = stdx::min(image_change, (width - 1 - stdx::fabs(r)) / stdx::fabs(u));
+      } else {
+        dz = r;
+        uz = u;
+      }
+      rr += r * r;
+      ru += r * u;
+      uu += u * u;
+    }
+    const Lanes gap = rr - 1;
+    const Lanes discriminant = ru * ru - uu * gap;
+    const LaneMask meets = ru < 0 && discriminant > 0;
+    if (stdx::any_of(meets)) {
+      Lanes tau = stdx::max(gap / (stdx::sqrt(stdx::max(discriminant, Lanes(0))) - ru), Lanes(0));
+      tau += t;
+      const LaneMask sooner = meets && tau < best_time;
+      stdx::where(sooner, best_time) = tau;
+      stdx::where(sooner, best_partner) = index;
+    }
+    Lanes level = (stdx::fabs(dz) - 1) / stdx::fabs(uz);
+    stdx::where(dz * uz >= 0 && stdx::fabs(dz) >= 1, level) = never;
+    best_recheck = stdx::min(best_recheck, t + stdx::max(image_change, level));
+  }
+  NextTouch next;
+  next.recheck = stdx::hmin(best_recheck);
+  next.time = stdx::hmin(best_time);
+  if (next.time < never) {
+    Lanes candidates = std::numeric_limits<double>::max();
+    stdx::where(best_time == next.time, candidates) = best_partner;
+    next.partner = static_cast<std::uint32_t>(stdx::hmin(candidates));
+  }
+  return next;
+}
+
+/// Every grain in flight whose centre is within `reach` of `point` (nearest image) at time t, by
+/// the flight's parabola (also before `valid_from`).
+template <int D, std::size_t S>
+void find_flights_near(const Flights<D, S>& flights, const PeriodicCell<D>& cell,
+                       const Vector<D>& point, double t, double reach,
+                       std::vector<std::uint32_t>& found) {
+  namespace stdx = std::experimental;
+  found.clear();
+  const double fall = 0.5 * flights.gravity() * t * t;
+  for (std::size_t j = 0; j < flights.padded(); j += lane_count) {
+    Lanes rr = 0;
+    for (int c = 0; c < D; ++c) {
+      Lanes r = load_lanes(&flights.position[c][j]) + load_lanes(&flights.velocity[c][j]) * t;
+      r -= c == Dimension<D>::vertical ? point[c] + fall : point[c];
+      if (c < Dimension<D>::lateral) {
+        const double width = cell.width[c];
+        r -= width * stdx::nearbyint(r * (1 / width));
+      }
+      rr += r * r;
+    }
+    const LaneMask near = rr < reach * reach;
+    if (!stdx::any_of(near)) continue;
+    for (std::size_t k = 0; k < lane_count; ++k) {
+      if (near[k]) found.push_back(static_cast<std::uint32_t>(j + k));
+    }
+  }
+}
+
+/// The first time in (from, until] at which a grain on the parabola z0 + v0 t - (g/2) t^2 touches
+/// the base z_b(t) = A sin(2 pi (phase + t/period)); `never` if there is none.
+///
+/// f = z - R - z_b has f'' >= -(g + A omega^2), so that f stays positive for
+///   tau < (f' + sqrt(f'^2 + 2 f (g + A omega^2))) / (g + A omega^2):
+/// steps of that length cannot jump over a root, and converge to it like Newton's method. While the
+/// grain is above the base's highest point the bound is g alone and the step is exact.
+inline double next_base_touch(double z0, double v0, double gravity, const BaseMotion& base,
+                              double phase, double period, double from, double until) {
+  const double omega = 2 * 3.14159265358979323846 / period;
+  const double bend = gravity + base.peak_velocity * omega;
+  double t = from;
+  const double above = z0 + v0 * t - 0.5 * gravity * t * t - grain_radius - base.amplitude;
+  if (above > 0) {
+    const double v = v0 - gravity * t;
+    if (gravity > 0) {
+      t += (v + std::sqrt(v * v + 2 * gravity * above)) / gravity;
+    } else {
+      if (v >= 0) return never;
+      t -= above / v;
+    }
+  }
+  constexpr int most_steps = 200;
+  for (int k = 0; k < most_steps && t <= until; ++k) {
+    const BaseState b = base.at(phase + t / period);
+    const double f = z0 + (v0 - 0.5 * gravity * t) * t - grain_radius - b.height;
+    const double rate = v0 - gravity * t - b.velocity;
+    if (f <= 1e-14 && rate < 0) return t;
+    const double step = (rate + std::sqrt(rate * rate + 2 * bend * std::max(f, 0.0))) / bend;
+    if (step < 1e-15 * period) return t;
+    t += step;
+  }
+  return t <= until ? t : never;
+}
+
+}  // namespace shakebed::simulator

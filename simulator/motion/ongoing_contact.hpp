@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "simulator/motion/closed_contact.hpp"
+#include "simulator/motion/leapfrog.hpp"
+
+namespace shakebed::simulator {
+
+/// A grain's centre, velocity and spin at one instant.
+template <class Physics>
+struct GrainMotion {
+  Vector<Physics::dimension> x;
+  Vector<Physics::dimension> v;
+  Eigen::Matrix<double, Physics::GrainState::spin_columns, 1> spin;
+};
+
+/// A contact taken in one stride: begun, its end already known, not yet over. Kept so that grains
+/// can be sampled in the middle of it (about 1 % are: their velocity passes through zero there),
+/// and so that it can be undone when a third body comes too near.
+template <class Physics>
+struct OngoingContact {
+  static constexpr int D = Physics::dimension;
+  static constexpr std::uint32_t with_base = std::numeric_limits<std::uint32_t>::max();
+  using Motion = GrainMotion<Physics>;
+
+  std::uint32_t i;
+  std::uint32_t j;  ///< or with_base
+  double start;     ///< since the epoch
+  Motion before_i;
+  Motion before_j;  ///< of the base contact: unused
+  ClosedOutcome<D> outcome;
+  double dissipation;
+  double base_work;
+  long steps;
+
+  double end() const { return start + outcome.duration; }
+  bool involves(std::uint32_t grain) const { return i == grain || j == grain; }
+
+  struct Both {
+    Motion i;
+    Motion j;
+  };
+
+  /// Both grains at time t. Before the contact: in flight; after it: as it left them.
+  Both at(double t, const ClosedContact<D, Physics::turns_grains>& contact, const Physics& physics,
+          double epoch_phase) const {
+    const double s = t - start;
+    Both now{before_i, before_j};
+    const auto motion =
+        s < outcome.duration ? contact.during(outcome, std::max(s, 0.0)) : outcome.end;
+    const auto change = spin_change(motion);
+    now.i.spin += change;
+    if (j == with_base) {
+      const BaseState base = physics.base.at(
+          epoch_phase + t / (physics.time_step * static_cast<double>(physics.steps_per_cycle)));
+      now.i.x += std::min(s / outcome.duration, 1.0) * outcome.travel;
+      now.i.x[vertical] = base.height + motion.r.norm();
+      now.i.v = motion.v;
+      now.i.v[vertical] += base.velocity;
+      return now;
+    }
+    now.j.spin += change;
+    const Vector<D> unwrapped = before_j.x - before_i.x - outcome.start.r;  // of the image of j
+    Vector<D> centre = before_i.x + 0.5 * outcome.start.r;
+    Vector<D> drift = 0.5 * (before_i.v + before_j.v);
+    centre += s * drift;
+    centre[vertical] -= 0.5 * physics.gravity * s * s;
+    drift[vertical] -= physics.gravity * s;
+    now.i.x = centre - 0.5 * motion.r;
+    now.j.x = centre + 0.5 * motion.r + unwrapped;
+    now.i.v = drift + 0.5 * motion.v;
+    now.j.v = drift - 0.5 * motion.v;
+    return now;
+  }
+
+ private:
+  static constexpr int vertical = Dimension<D>::vertical;
+
+  auto spin_change(const RelativeMotion<D>& motion) const {
+    constexpr int S = Physics::GrainState::spin_columns;
+    const double partners = j == with_base ? 1 : 2;
+    if constexpr (S > 0) {
+      return Eigen::Matrix<double, S, 1>((motion.spin_radius - outcome.start.spin_radius) /
+                                         (partners * grain_radius));
+    } else {
+      (void)partners;
+      return Eigen::Matrix<double, S, 1>{};
+    }
+  }
+};
+
+}  // namespace shakebed::simulator
