@@ -67,6 +67,9 @@ struct NetworkOptions {
   std::optional<std::filesystem::path> contacts;
   int passes = 5;
   double elongation = 1.2;
+  double force_bin = 0.1;        ///< of f = F_n / mean(F_n)
+  double correlation_bin = 0.1;  ///< of r [median grain diameter]
+  double correlation_reach = 6;  ///< largest r [median grain diameter]
   std::optional<std::string> json;
   std::optional<std::filesystem::path> csv_folder;
 };

@@ -41,29 +41,31 @@ class Neighbours {
         per_width_(1 / bin_width),
         squared_reach_(bin_width * static_cast<double>(bins) * bin_width *
                        static_cast<double>(bins)),
-        count_(static_cast<std::size_t>(sets) * bins),
-        force_(static_cast<std::size_t>(sets) * bins) {}
+        cells_(static_cast<std::size_t>(sets) * bins) {}
 
   void clear(std::size_t self) {
     self_ = self;
-    std::ranges::fill(count_, 0);
-    std::ranges::fill(force_, 0.0);
+    std::ranges::fill(cells_, Cell{});
   }
   bool addPoint(double squared, std::size_t index) {
     const auto bin = static_cast<std::size_t>(std::sqrt(squared) * per_width_);
     if (index == self_ || bin >= bins_) return true;
     const PlacedForce& other = cloud_.contacts[index];
     const std::size_t at = static_cast<std::size_t>(other.first_set) * bins_ + bin;
-    ++count_[at];
-    force_[at] += other.f;
+    cells_[at].count += 1;
+    cells_[at].force += other.f;
     return true;
   }
   double worstDist() const { return squared_reach_; }
   bool full() const { return true; }
   std::size_t size() const { return 0; }
 
-  std::size_t count(std::size_t set, std::size_t bin) const { return count_[set * bins_ + bin]; }
-  double force(std::size_t set, std::size_t bin) const { return force_[set * bins_ + bin]; }
+  /// Neighbours that belong to `set` first, and the sum of their f.
+  struct Cell {
+    double count = 0;
+    double force = 0;
+  };
+  const Cell& cell(std::size_t set, std::size_t bin) const { return cells_[set * bins_ + bin]; }
 
  private:
   const Cloud& cloud_;
@@ -71,8 +73,7 @@ class Neighbours {
   double per_width_;
   double squared_reach_;
   std::size_t self_ = 0;
-  std::vector<std::size_t> count_;
-  std::vector<double> force_;
+  std::vector<Cell> cells_;
 };
 
 /// Sums over the ordered pairs of one set, and over its contacts' numbers of neighbours.
@@ -96,7 +97,8 @@ std::vector<Sums> all_pairs(const Cloud& cloud, std::size_t sets, std::size_t bi
   const std::vector<double> zero(bins, 0.0);
   std::vector<Sums> sums(sets, Sums{zero, zero, zero});
   if (cloud.contacts.empty()) return sums;
-  Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  constexpr std::size_t leaf = 64;  // most neighbours are within reach: fewer nodes, longer loops
+  Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf));
   Neighbours neighbours(cloud, static_cast<int>(sets), bins, bin_width);
   for (std::size_t self = 0; self < cloud.contacts.size(); ++self) {
     const PlacedForce& contact = cloud.contacts[self];
@@ -105,8 +107,8 @@ std::vector<Sums> all_pairs(const Cloud& cloud, std::size_t sets, std::size_t bi
     for (std::size_t bin = 0; bin < bins; ++bin) {
       double count = 0, force = 0;
       for (std::size_t set = 0; set < sets; ++set) {
-        count += static_cast<double>(neighbours.count(set, bin));
-        force += neighbours.force(set, bin);
+        count += neighbours.cell(set, bin).count;
+        force += neighbours.cell(set, bin).force;
         if (static_cast<int>(set) < contact.first_set) continue;
         sums[set].pairs[bin] += count;
         sums[set].forces[bin] += contact.f * force;

@@ -36,16 +36,21 @@ class Faults {
 
 std::string grain_text(std::int64_t id) { return "grain " + std::to_string(id); }
 
+/// Beyond this, squares of distances overflow.
+constexpr double largest_number = 1e100;
+
+std::string got(double value) {
+  return std::isnan(value) ? "none (nan)" : files::number_text(value);
+}
+
 void check_numbers(const GrainRow& grain, const std::string& where, Faults& faults) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (std::isfinite(grain.position[axis])) continue;
+    if (std::abs(grain.position[axis]) <= largest_number) continue;
     faults.add(where, grain_text(grain.id) + ": expected a finite " + "xyz"[axis] + ", got " +
-                          (std::isnan(grain.position[axis]) ? "none (nan)" : "inf"));
+                          got(grain.position[axis]));
   }
-  if (!std::isfinite(grain.radius) || grain.radius <= 0) {
-    const std::string got =
-        std::isnan(grain.radius) ? "none (nan)" : files::number_text(grain.radius);
-    faults.add(where, grain_text(grain.id) + ": expected a radius > 0, got " + got);
+  if (!(grain.radius > 0) || grain.radius > largest_number) {
+    faults.add(where, grain_text(grain.id) + ": expected a radius > 0, got " + got(grain.radius));
   }
 }
 
@@ -98,9 +103,7 @@ class ContactReader {
 
   std::optional<Contact> contact(const ContactRow& row, std::size_t number) const {
     if (!std::isfinite(row.normal_force)) {
-      faults_.add(place_(number),
-                  "expected a finite normal_force, got " +
-                      std::string(std::isnan(row.normal_force) ? "none (nan)" : "inf"));
+      faults_.add(place_(number), "expected a finite normal_force, got " + got(row.normal_force));
     }
     const auto i = grain(row.i, number);
     if (!row.j) return std::nullopt;

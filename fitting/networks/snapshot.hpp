@@ -73,4 +73,10 @@ Snapshot assemble(std::string name, const std::vector<GrainRow>& grains, const P
 Snapshot read_snapshot_csv(const std::filesystem::path& grains,
                            const std::filesystem::path& contacts);
 
+/// Reads `/snapshots/NAME/{id, position, radius}` and `/contacts/NAME/{i, j, normal_force}` of an
+/// HDF5 file: id, i and j integers, position n x 3; j = -1 is a wall; further data sets are
+/// ignored. `file` may end in ":NAME", and must when the file holds several snapshots.
+/// Throws files::Error(bad_input) naming the file and data set.
+Snapshot read_snapshot_hdf5(const std::filesystem::path& file);
+
 }  // namespace shakebed::fitting::networks

@@ -51,10 +51,11 @@ Snapshot read_snapshot_csv(const std::filesystem::path& grains,
                            const std::filesystem::path& contacts) {
   const auto grain_table = files::CsvTable::read(grains);
   const auto contact_table = files::CsvTable::read(contacts);
+  const auto grain_list = grain_rows(grain_table);
+  const auto contact_list = contact_rows(contact_table);
   return assemble(
-      grains.string(), grain_rows(grain_table),
-      [&](std::size_t row) { return grain_table.place(row); }, contact_rows(contact_table),
-      [&](std::size_t row) { return contact_table.place(row); });
+      grains.string(), grain_list, [&](std::size_t row) { return grain_table.place(row); },
+      contact_list, [&](std::size_t row) { return contact_table.place(row); });
 }
 
 }  // namespace shakebed::fitting::networks

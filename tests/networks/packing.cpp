@@ -72,7 +72,8 @@ void push_apart(Grains& grains) {
     if (depth <= 0) return;
     const double apart = distance(grains.position[i], grains.position[j]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double half = 0.3 * depth * (grains.position[i][axis] - grains.position[j][axis]) / apart;
+      const double half =
+          0.3 * depth * (grains.position[i][axis] - grains.position[j][axis]) / apart;
       shift[i][axis] += half;
       shift[j][axis] -= half;
     }

@@ -22,10 +22,10 @@ std::vector<double> draw(const fitting::networks::ForceLaw& law, std::size_t cou
 struct PackingOptions {
   std::size_t small_grains = 7600;
   double cylinder_diameter = 12.25;
-  double solid_fraction = 0.62;
-  bool large_grain = true;  ///< of diameter 3.16, near the bottom
-  std::size_t flying = 0;   ///< grains 30 d and more above the bed
-  int sweeps = 100;         ///< of overlap relaxation
+  double solid_fraction = 0.5;  ///< looser than Sun's, which gives his coordination number of 4
+  bool large_grain = true;      ///< of diameter 3.16, near the bottom
+  std::size_t flying = 0;       ///< grains 30 d and more above the bed
+  int sweeps = 30;              ///< of overlap relaxation
 };
 
 /// Grains strewn into a cylinder and pushed apart; whoever still overlaps touches. Forces come from
