@@ -35,7 +35,9 @@ std::vector<Exponent> exponents(const FitReport& report) {
     if (result.specification.model.name != "power_law") continue;
     const double alpha = alpha_of(result);
     const Spread alone{alpha, alpha};
-    Exponent exponent{&result, alone, alone, alone, 0};
+    const auto& points = result.measurements.points;
+    const auto [first, last] = std::ranges::minmax(points, {}, &Point::W);
+    Exponent exponent{&result, alone, alone, alone, 0, {first.W, last.W}};
     for (const auto& other : report.fits) {
       const bool sibling = other.specification.id == result.specification.id &&
                            other.labels == result.labels && other.fitted();

@@ -22,6 +22,7 @@ struct Exponent {
   Spread over_ranges;   ///< default method and weighting, every stretched range
   Spread over_all;
   std::size_t variants;  ///< fitted ones, the default included
+  Spread W;              ///< of the points of the default fit: how much of the range was measured
 };
 
 /// One entry for every power-law fit and group whose default variant was fitted.

@@ -168,7 +168,7 @@ void run_fit(const CsvTable& table, const FitSpecification& fit, FitReport& repo
         make_fit(table, rows, result);
       } catch (const files::Error& error) {
         const bool stretched = variant.stretch_from != 1 || variant.stretch_to != 1;
-        if (fit.for_each.empty() && !stretched) throw placed(error, fit);
+        if (!fit.report_problems && !stretched) throw placed(error, fit);
         result.problem = error.faults().front().what;
       }
       report.fits.push_back(std::move(result));
@@ -193,7 +193,7 @@ void run_peak(const CsvTable& table, const PeakSpecification& entry, FitReport& 
         result.problem = error.faults().front().what;
       }
     } catch (const files::Error& error) {
-      if (entry.for_each.empty()) throw placed(error, entry);
+      if (!entry.report_problems) throw placed(error, entry);
       result.problem = error.faults().front().what;
     }
     report.peaks.push_back(std::move(result));
@@ -220,6 +220,22 @@ void compare_models(std::vector<FitResult>& fits) {
   }
 }
 
+void refuse_if_nothing_was_found(const FitReport& report) {
+  const bool found = std::ranges::any_of(report.fits, &FitResult::fitted) ||
+                     std::ranges::any_of(report.peaks, [](const PeakResult& result) {
+                       return result.peak.has_value();
+                     });
+  if (found) return;
+  const auto refuse = [](const DataSpecification& entry, const std::string& problem) {
+    throw files::failed(entry.where, "nothing in this file could be fitted to this table; first, " +
+                                         entry.id + ": " + problem);
+  };
+  if (!report.fits.empty()) {
+    refuse(report.fits.front().specification, report.fits.front().problem);
+  }
+  refuse(report.peaks.front().specification, report.peaks.front().problem);
+}
+
 }  // namespace
 
 std::string Variant::text() const {
@@ -235,6 +251,7 @@ FitReport run_fits(const FitFile& file, const CsvTable& table) {
   FitReport report;
   for (const auto& fit : file.fits) run_fit(table, fit, report);
   for (const auto& peak : file.peaks) run_peak(table, peak, report);
+  refuse_if_nothing_was_found(report);
   compare_models(report.fits);
   return report;
 }

@@ -58,8 +58,9 @@ struct FitReport {
 };
 
 /// Fits everything the file names to the collected table. A fit that cannot be made throws, with
-/// its place in the file; only among the groups of a `for_each`, and for variants that stretch the
-/// range, it is reported as a problem instead.
+/// its place in the file; with `if_impossible: report`, among the groups of a `for_each` and for
+/// variants that stretch the range it is reported as a problem instead. Throws when nothing at all
+/// could be fitted.
 FitReport run_fits(const FitFile& file, const files::CsvTable& table);
 
 }  // namespace shakebed::fitting

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "files/atomic_file.hpp"
 #include "files/yaml.hpp"
-#include "fitting/models/all.hpp"
+#include "fitting/fit_file_parts.hpp"
 
 namespace shakebed::fitting {
 namespace {
@@ -14,7 +13,8 @@ namespace {
 using files::YamlNode;
 
 const std::vector<std::string> shared_keys = {
-    "id", "select", "for_each", "y", "y_error", "exclude", "peak_of", "minimum_stationary", "W_2"};
+    "id",      "select",  "for_each",           "y",   "y_error",
+    "exclude", "peak_of", "minimum_stationary", "W_2", "if_impossible"};
 const std::vector<std::string> fit_keys = {"x",          "model", "method",    "weights",
                                            "covariance", "range", "reference", "compare_at"};
 const std::vector<std::string> peak_keys = {"depth"};
@@ -45,135 +45,6 @@ class Entry {
   std::optional<YamlNode> defaults_;
 };
 
-std::vector<YamlNode> one_or_more(const YamlNode& node) {
-  const auto nodes = node.is_sequence() ? node.elements() : std::vector<YamlNode>{node};
-  if (nodes.empty()) throw node.error("expected at least one entry");
-  return nodes;
-}
-
-template <class Word>
-Word word_of(const YamlNode& node, const std::vector<std::pair<std::string, Word>>& words) {
-  const std::string got = node.as_string();
-  std::vector<std::string> known;
-  for (const auto& [name, word] : words) {
-    if (name == got) return word;
-    known.push_back(name);
-  }
-  std::string list;
-  for (const auto& name : known) list += (list.empty() ? "" : ", ") + name;
-  const auto nearest = files::nearest_word(got, known);
-  throw node.error("expected one of " + list + "; got " + got +
-                   (nearest ? " (did you mean " + *nearest + "?)" : ""));
-}
-
-double positive(const YamlNode& node) {
-  const double value = node.as_double();
-  if (!(value > 0)) throw node.error("expected a positive number, got " + node.as_string());
-  return value;
-}
-
-double share(const YamlNode& node) {
-  const double value = node.as_double();
-  if (!(value > 0 && value <= 1)) {
-    throw node.error("expected a share above 0 and at most 1, got " + node.as_string());
-  }
-  return value;
-}
-
-std::vector<Filter> read_select(const YamlNode& node) {
-  std::vector<Filter> filters;
-  for (const auto& [column, value] : node.items()) {
-    filters.push_back({column, value.as_string(), value.where()});
-  }
-  return filters;
-}
-
-/// `{W: [1.3, 1.5], because: "..."}`
-Exclusion read_exclusion(const YamlNode& node) {
-  const std::string because = node.at("because").as_string();
-  const auto items = node.items();
-  if (items.size() != 2) {
-    throw node.error("expected one column with [from, to] and `because`");
-  }
-  const auto& [column, limits] = items[0].first == "because" ? items[1] : items[0];
-  const auto ends = limits.elements();
-  if (ends.size() != 2) throw limits.error("expected [from, to]");
-  return {column, ends[0].as_double(), ends[1].as_double(), because};
-}
-
-RangeBound read_bound(const YamlNode& node, const std::string& column) {
-  using Kind = RangeBound::Kind;
-  const std::string text = node.as_string();
-  if (text == "start") return {Kind::start};
-  if (text == "end") return {Kind::end};
-  if (text == "peak" || text == "W_2") {
-    if (column != "W") throw node.error("`" + text + "` bounds a range in W, not in " + column);
-    return {text == "peak" ? Kind::peak : Kind::W_2};
-  }
-  const bool word = !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
-  if (word) throw node.error("expected a number, peak, W_2, start or end; got " + text);
-  return {Kind::number, node.as_double()};
-}
-
-RangeSpecification read_range(const YamlNode& node) {
-  RangeSpecification range;
-  std::optional<YamlNode> limits;
-  for (const auto& [key, value] : node.items()) {
-    if (key == "stretch") {
-      for (const auto& factor : value.elements()) range.stretch.push_back(positive(factor));
-    } else if (key == "known") {
-      range.certain = word_of<bool>(value, {{"given", true}, {"uncertain", false}});
-    } else if (limits) {
-      throw value.error("expected one column, `stretch` and `known`; a second column: " + key);
-    } else {
-      range.column = key;
-      limits = value;
-    }
-  }
-  if (!limits) throw node.error("expected a column with [from, to], for instance W: [peak, end]");
-  const auto ends = limits->elements();
-  if (ends.size() != 2) throw limits->error("expected [from, to]");
-  range.from = read_bound(ends[0], range.column);
-  range.to = read_bound(ends[1], range.column);
-  const bool numbers =
-      range.from.kind == RangeBound::Kind::number && range.to.kind == RangeBound::Kind::number;
-  if (numbers && range.from.number >= range.to.number) {
-    throw limits->error("the range is empty: from is not below to");
-  }
-  return range;
-}
-
-PrintedValue read_printed(const YamlNode& node) {
-  const std::string text = node.as_string();
-  const std::size_t point = text.find('.');
-  const std::size_t digits = point == std::string::npos ? 0 : text.size() - point - 1;
-  return {node.as_double(), 0.5 * std::pow(10.0, -double(digits))};
-}
-
-Reference read_reference(const YamlNode& node, const Model& model) {
-  node.refuse_unknown_keys(
-      together(model.parameters, {"correlation", "reported", "reported_error", "source"}));
-  Reference reference;
-  reference.source = node.at("source").as_string();
-  for (const auto& name : model.parameters) {
-    if (const auto value = node.find(name)) reference.parameters[name] = read_printed(*value);
-  }
-  const auto number = [&](std::string_view key) -> std::optional<double> {
-    const auto value = node.find(key);
-    return value ? std::optional(value->as_double()) : std::nullopt;
-  };
-  reference.correlation = number("correlation");
-  reference.reported = number("reported");
-  reference.reported_error = number("reported_error");
-  return reference;
-}
-
-Model read_model(const YamlNode& node) {
-  std::vector<std::pair<std::string, Model>> known;
-  for (const auto& model : all_models()) known.emplace_back(model.name, model);
-  return word_of<Model>(node, known);
-}
-
 void read_shared(const Entry& entry, DataSpecification& data) {
   data.id = entry.node().at("id").as_string();
   data.where = entry.node().where();
@@ -194,6 +65,11 @@ void read_shared(const Entry& entry, DataSpecification& data) {
   }
   const auto peak_of = entry.find("peak_of");
   data.peak_of = peak_of ? peak_of->as_string() : "T_z_scaled";
+  data.report_problems = !data.for_each.empty();
+  if (const auto word = entry.find("if_impossible")) {
+    const bool report = word_of<bool>(*word, {{"report", true}, {"refuse", false}});
+    data.report_problems = data.report_problems || report;
+  }
   if (const auto rule = entry.find("W_2")) {
     rule->refuse_unknown_keys({"within", "tail"});
     if (const auto within = rule->find("within")) data.settling.within = share(*within);

@@ -58,6 +58,9 @@ struct DataSpecification {
   std::string y_error;  ///< empty: none
   std::string peak_of;  ///< the column whose peak and settling bound a range
   SettlingRule settling;
+  /// `if_impossible: report` (always so with for_each): a fit the data cannot carry becomes a
+  /// problem in the summary. Default `refuse`: an error.
+  bool report_problems = false;
 };
 
 struct FitSpecification : DataSpecification {

@@ -68,16 +68,18 @@ std::string fit_text(const FitResult& result) {
 
 std::string exponents_text(const FitReport& report) {
   std::string text;
-  for (const auto& [result, methods, ranges, all, variants] : exponents(report)) {
+  for (const auto& [result, methods, ranges, all, variants, W] : exponents(report)) {
     const auto& specification = result->specification;
     const auto& fit = result->fit;
     const std::size_t k = specification.model.nonlinear;
     text += formatted(
-        "%-34s %-10s %6.3f +- %.3f  methods %.3f..%.3f  ranges %.3f..%.3f  %s [%.3g, %.3g]%s",
+        "%-34s %-10s %6.3f +- %.3f  methods %.3f..%.3f  ranges %.3f..%.3f  %s [%.3g, %.3g]%s, "
+        "%zu points W %.3g..%.3g",
         specification.id.c_str(), labels_text(result->labels).c_str(), fit.values[k],
         fit.standard_error(k), methods.low, methods.high, ranges.low, ranges.high,
         specification.range.column.c_str(), result->range.from, result->range.to,
-        specification.range.certain ? "" : " (uncertain)");
+        specification.range.certain ? "" : " (uncertain)", result->measurements.points.size(),
+        W.low, W.high);
     const auto printed = specification.reference.parameters.find("alpha");
     if (printed != specification.reference.parameters.end()) {
       text += formatted("  paper %.4g", printed->second.value);
@@ -131,7 +133,8 @@ std::string readable(const FitReport& report) {
   for (const auto& result : report.fits) {
     const bool exponent = result.specification.model.name == "power_law";
     const bool stretched = result.variant.stretch_from != 1 || result.variant.stretch_to != 1;
-    if (!stretched && !exponent) text += fit_text(result);
+    const bool told_below = exponent && (result.fitted() || !result.variant.is_default);
+    if (!stretched && !told_below) text += fit_text(result);
   }
   text += exponents_text(report);
   for (const auto& result : report.peaks) text += peak_text(result);

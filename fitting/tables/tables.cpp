@@ -24,13 +24,15 @@ CsvTable exponents_table(const Head& head, const FitReport& report) {
                                {"from", ""},
                                {"to", ""},
                                {"range_known", ""},
+                               {"first_W", "1"},
+                               {"last_W", "1"},
                                {"points", "1"},
                                {"runs_p", "1"},
                                {"reference", "1"},
                                {"reported", "1"},
                                {"reported_error", "1"},
                                {"source", ""}});
-  for (const auto& [result, methods, ranges, all, variants] : exponents(report)) {
+  for (const auto& [result, methods, ranges, all, variants, W] : exponents(report)) {
     const auto& specification = result->specification;
     const std::size_t alpha = specification.model.nonlinear;
     const auto printed = specification.reference.parameters.find("alpha");
@@ -52,6 +54,8 @@ CsvTable exponents_table(const Head& head, const FitReport& report) {
               cell(result->range.from),
               cell(result->range.to),
               specification.range.certain ? "given" : "uncertain",
+              cell(W.low),
+              cell(W.high),
               cell(result->measurements.points.size()),
               cell(result->runs.p_value),
               cell(known ? printed->second.value : unknown),

@@ -86,6 +86,8 @@ TEST_CASE("methods, weights and stretched ranges are fitted one by one", "[fit]"
   CHECK(all[0].over_all.low <= all[0].over_ranges.low);
   const auto table = table_named("exponents", entry, collected_table(0.01, 52));
   CHECK(table.text(0, table.column("range_known")) == "uncertain");
+  CHECK(table.numbers("first_W")[0] == W_at(600));
+  CHECK(table.numbers("last_W")[0] == W_at(1800));  // 1900 rpm is W = 20.2
 }
 
 TEST_CASE("AICc is compared between forms of the same points only", "[fit]") {
@@ -141,6 +143,20 @@ TEST_CASE("a fit that cannot be made is refused with its place and id", "[fit]")
   CHECK(
       run(entry("model: algebraic, range: {W: [2, end]}, weights: equal"), zero).fits[0].fitted());
   CHECK_THROWS_WITH(run(entry("model: algebraic, y_error: T_z_sem"), data), has("T_z_sem"));
+}
+
+TEST_CASE("if_impossible: report keeps the other fits, unless there are none", "[fit]") {
+  const auto data = collected_table(0.01, 55);
+  const std::string entries =
+      "defaults: {select: {system: 2D rough}, x: V_p, y: T_z, model: power_law,\n"
+      "           if_impossible: report}\n"
+      "fits:\n"
+      "  - {id: a, range: {W: [200, 300]}}\n";
+  CHECK_THROWS_WITH(run(entries, data),
+                    Catch::Contains("nothing in this file") && Catch::Contains("a: 0 points"));
+  const auto fits = run(entries + "  - {id: b, range: {W: [2, 20]}}\n", data).fits;
+  CHECK_THAT(fits[0].problem, Catch::Contains("0 points"));
+  CHECK(fits[1].fitted());
 }
 
 TEST_CASE("peaks and their settling become rows", "[fit]") {
