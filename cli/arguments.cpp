@@ -53,7 +53,7 @@ std::shared_ptr<Options> options_of(CLI::App* command, Action& action,
 
 /// `--set` takes one value at a time, so that a scene may follow it.
 void add_set(CLI::App* command, std::vector<std::string>& set) {
-  command->add_option("--set", set, set_help)->type_name("KEY=VALUE")->expected(1)->take_all();
+  command->add_option("--set", set, set_help)->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
 void add_run(CLI::App& app, Action& action) {
@@ -138,8 +138,7 @@ void add_figure(CLI::App& app, Action& action) {
       ->required()
       ->type_name("FILE");
   figure->add_option("--table", options->tables, "A table (CSV) to draw; repeat for more")
-      ->expected(1)
-      ->take_all()
+      ->allow_extra_args(false)
       ->type_name("FILE");
   figure->add_option("--output", options->output_folder, "Folder for CSV, SVG and PNG")
       ->required()
@@ -150,7 +149,8 @@ void add_network(CLI::App& app, Action& action) {
   auto* network = app.add_subcommand(
       "network", "Force networks, force statistics and spanning trees of one snapshot");
   auto options = options_of(network, action, &network_command);
-  auto* snapshot = network->add_option("SNAPSHOT", options->snapshot, "Snapshot (HDF5): run.h5, or run.h5:NAME");
+  auto* snapshot =
+      network->add_option("SNAPSHOT", options->snapshot, "Snapshot (HDF5): run.h5, or run.h5:NAME");
   snapshot->type_name("FILE");
   auto* grains = network->add_option("--grains", options->grains,
                                      "Grains (CSV): id, x, y, z, radius; needs --contacts");
@@ -186,7 +186,8 @@ void add_network(CLI::App& app, Action& action) {
       ->type_name("X");
   network->add_option("--json", options->json, "Write the results as JSON; - is standard output")
       ->type_name("FILE|-");
-  network->add_option("--csv-folder,--csv", options->csv_folder, "Write the tables into this folder")
+  network
+      ->add_option("--csv-folder,--csv", options->csv_folder, "Write the tables into this folder")
       ->type_name("DIR");
   network->parse_complete_callback([snapshot, grains] {
     if (snapshot->count() + grains->count() == 0) {

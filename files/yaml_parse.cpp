@@ -29,8 +29,12 @@ class Builder final : public YAML::EventHandler {
 
   std::shared_ptr<const YamlTree> root() const { return root_; }
 
+  int documents() const { return documents_; }
+
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (++documents_ == 2) report(mark, "a second document starts here; keep one in a file");
+    if (++documents_ == 2)
+      report(mark,
+             "expected nothing more here: a stray character, or a second document in the file");
   }
   void OnDocumentEnd() override {}
 
@@ -165,7 +169,8 @@ std::shared_ptr<const YamlTree> parse_yaml(std::string_view text, const YamlSour
   try {
     std::istringstream stream{std::string(text)};
     YAML::Parser parser(stream);
-    while (parser.HandleNextDocument(builder)) {
+    // A stray comma makes yaml-cpp hand out empty documents without end.
+    while (builder.documents() < 2 && parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
     throw bad_input(place(source, error.mark), "is not valid YAML: " + error.msg);

@@ -11,7 +11,6 @@ namespace {
 using files::number_text;
 
 constexpr double standard_gravity = 9.81;       // m/s2, when units.gravity is not given
-constexpr double narrowest_cell = 2.2;          // d, as in the table of keys
 constexpr double coarse_time_step = 0.2;        // of t_c
 constexpr double whole_count_tolerance = 1e-6;  // relative; layers are written with few digits
 const std::vector<std::string> until_quantities{"T_z", "T_x", "T_y", "T"};
@@ -26,6 +25,7 @@ std::optional<double> diameter_from(SceneValues& values) {
 }
 
 std::vector<double> cell_from(SceneValues& values, std::optional<double> diameter_mm) {
+  if (values.refused("cell")) return {};
   if (values.given("cell") == values.given("cell_mm")) {
     values.report("cell", values.given("cell") ? "`cell` and `cell_mm` are both given; keep one"
                                                : "the key `cell` is missing: the periodic "
@@ -41,11 +41,12 @@ std::vector<double> cell_from(SceneValues& values, std::optional<double> diamete
                   "grain is: units: {diameter: 5 mm}");
     return {};
   }
+  const Range& range = find_scene_key("cell")->range;
   for (double& width : widths) {
     width /= *diameter_mm;
-    if (width < narrowest_cell) {
+    if (!range.contains(width)) {
       values.report("cell_mm", "`cell_mm` comes to " + number_text(width) +
-                                   " d; a cell must be at least 2.2 d wide");
+                                   " d; expected a width in " + range.text() + " d");
     }
   }
   return widths;
@@ -64,6 +65,7 @@ void check_cell_dimension(SceneValues& values, const Scene& scene) {
 
 /// N = count d^2/(L_x L_y), or count d/L_x in 2D: one from the other.
 void count_and_layers(SceneValues& values, Scene& scene) {
+  if (values.refused("grains.count") || values.refused("grains.layers")) return;
   if (values.given("grains.count") == values.given("grains.layers")) {
     values.report("grains", values.given("grains.count")
                                 ? "`grains.count` and `grains.layers` are both given; keep one"
@@ -93,6 +95,7 @@ void count_and_layers(SceneValues& values, Scene& scene) {
 
 TangentialLaw law_from(SceneValues& values, bool any_friction) {
   const std::string path = "contact.tangential";
+  if (values.refused(path)) return TangentialLaw::viscous_coulomb;
   if (values.word(path)) return TangentialLaw::frictionless;  // the only word of that row
   if (!values.given(path)) {
     return any_friction ? TangentialLaw::viscous_coulomb : TangentialLaw::frictionless;
@@ -155,9 +158,11 @@ void read_measure(SceneValues& values, Scene& scene) {
   protocol.at_most = values.integer(measure + ".at_most").value_or(protocol.at_most);
   std::vector<std::string> wanted;
   for (const auto& quantity : until_quantities) {
-    if (values.given(measure + ".until." + quantity)) wanted.push_back(quantity);
+    const std::string path = measure + ".until." + quantity;
+    if (values.given(path) || values.refused(path)) wanted.push_back(quantity);
   }
-  if (wanted.size() > 1 || (wanted.empty() && values.given(measure + ".until"))) {
+  if (values.refused(measure + ".until")) return;
+  if (values.given(measure + ".until") && wanted.size() != 1) {
     values.report(measure + ".until",
                   "`protocol.measure.until` takes exactly one quantity, such as "
                   "{T_z: 1 %}");
@@ -174,8 +179,8 @@ void read_protocol(SceneValues& values, Scene& scene) {
   auto& protocol = scene.protocol;
   protocol.settle = values.number("protocol.settle");
   protocol.transient = values.integer("protocol.transient.cycles");
-  if (values.given("protocol.transient") && !values.word("protocol.transient") &&
-      !values.given("protocol.transient.cycles")) {
+  if (values.given("protocol.transient") && !values.refused("protocol.transient") &&
+      !values.word("protocol.transient") && !values.given("protocol.transient.cycles")) {
     values.report("protocol.transient", "`protocol.transient` takes auto or {cycles: n}");
   }
   read_measure(values, scene);

@@ -55,13 +55,14 @@ bool usable(double value, double low, double high) { return value >= low && valu
 
 Drive drive_from(SceneValues& values, std::optional<double> diameter_mm, double gravity_si) {
   const std::string drive = "base.drive";
+  if (values.refused(drive)) return {};
   const auto known = scene_keys_under(drive);
   std::vector<std::string> given;
   Told told;
   bool readable = true;
   for (const auto& name : known) {
     const std::string path = drive + "." + name;
-    if (!values.given(path)) continue;
+    if (!values.given(path) && !values.refused(path)) continue;
     given.push_back(name);
     const auto value = values.number(path);
     const bool physical = name.ends_with("_mm") || name.ends_with("_rpm") || name.ends_with("_hz");

@@ -114,6 +114,16 @@ bool SceneValues::given(std::string_view path) const {
   return next != places_.end() && next->first.starts_with(below);
 }
 
+bool SceneValues::refused(std::string_view path) const {
+  for (;;) {
+    const auto value = values_.find(path);
+    if (value != values_.end()) return std::holds_alternative<std::monostate>(value->second);
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string_view::npos) return false;
+    path = path.substr(0, dot);
+  }
+}
+
 std::string SceneValues::where(std::string_view path) const {
   for (;;) {
     if (const auto place = places_.find(path); place != places_.end()) return place->second;
@@ -196,6 +206,8 @@ void SceneValues::report_unknown(const YamlNode& map, const std::string& prefix,
   const auto known = scene_keys_under(prefix);
   if (const auto near = files::nearest_word(name, known)) {
     what += "; did you mean `" + *near + "`?";
+    // Then it is not missing as well.
+    values_.try_emplace(prefix.empty() ? *near : prefix + "." + *near, std::monostate{});
   } else {
     const auto elsewhere =
         std::find_if(scene_keys().begin(), scene_keys().end(),
@@ -212,7 +224,7 @@ void SceneValues::report_unknown(const YamlNode& map, const std::string& prefix,
 
 void SceneValues::report_missing() {
   for (const Key& key : scene_keys()) {
-    if (!key.required || given(key.path)) continue;
+    if (!key.required || given(key.path) || refused(key.path)) continue;
     report(key.path, "the key `" + std::string(key.path) + "` is missing (" + type_text(key) +
                          "): " + std::string(key.doc));
   }

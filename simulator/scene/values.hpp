@@ -21,6 +21,10 @@ class SceneValues {
   /// Whether the file gives the key, rightly or wrongly, or any key below it.
   bool given(std::string_view path) const;
 
+  /// Whether the key, one that seems to mean it, or a map that should hold it was refused: its
+  /// absence says nothing then.
+  bool refused(std::string_view path) const;
+
   // Empty when the key is absent or was refused.
   std::optional<double> number(std::string_view path) const { return get<double>(path); }
   std::optional<long> integer(std::string_view path) const { return get<long>(path); }

@@ -88,6 +88,7 @@ TEST_CASE("What yaml-cpp lets pass is refused with its place") {
       {"a: &name 1\n", "s.yaml:1:4", "anchors"},
       {"a: !!str 1\n", "s.yaml:1:4", "tags"},
       {"a: 1\n---\nb: 2\n", "s.yaml:2:1", "second document"},
+      {", a: 1\n", "s.yaml:1:1", "stray character"},
       {"a: [1, 2\n", "s.yaml:2:1", "not valid YAML"},
       {"a: 1\n\tb: 2\n", "s.yaml:2:1", "not valid YAML"},
       {"? [1]\n: 2\n", "s.yaml:1:3", "a key must be a word"},

@@ -1,0 +1,50 @@
+#include "simulator/scene/warnings.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tests/scenes/texts.hpp"
+
+namespace {
+
+using namespace shakebed;
+using namespace shakebed::simulator;
+
+bool warned(const std::vector<Override>& overrides, const std::string& fragment) {
+  const Scene scene = tests::bed_with(overrides);
+  const auto warnings = scene_warnings(scene, bind_parameters(scene));
+  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+    return warning.find(fragment) != std::string::npos;
+  });
+}
+
+TEST_CASE("The standard bed is nothing to warn of") {
+  const Scene scene = tests::bed_with({});
+  CHECK(scene_warnings(scene, bind_parameters(scene)).empty());
+}
+
+TEST_CASE("Each doubtful bed is warned of, its neighbour is not") {
+  const std::string fraction = "protocol.time_step.fraction_of_contact_duration";
+  CHECK(warned({{fraction, "0.11"}}, "dt above t_c/10"));
+  CHECK_FALSE(warned({{fraction, "0.1"}}, "dt above t_c/10"));
+  CHECK(warned({{"contact.stiffness", "2e3"}}, "overlaps"));
+  CHECK_FALSE(warned({{"contact.stiffness", "2e5"}}, "overlaps"));
+  CHECK(warned({{"contact.stiffness", "1e4"}}, "softness"));
+  CHECK(warned({{"base.drive.W", "0.99"}}, "stays at rest"));
+  CHECK_FALSE(warned({{"base.drive.W", "1.01"}}, "stays at rest"));
+  CHECK(warned({{"grains.restitution", "1"}}, "heats up"));
+  CHECK_FALSE(warned({{"grains.restitution", "1"}, {"base.friction", "0.1"}}, "heats up"));
+  CHECK(warned({{"grains.count", "1"}}, "one grain"));
+  CHECK(warned({{"protocol.measure.cycles", "200"}}, "measured cycles are few"));
+}
+
+TEST_CASE("Largest overlap and drive angle follow their formulas") {
+  // V_p = 3 and k_n = 9e4: 2 V_p sqrt(m/k_n) = 0.02; N/k_n = 4/9e4.
+  const Scene scene = tests::bed_with({{"base.drive.W", "9"}, {"contact.stiffness", "9e4"}});
+  const Parameters parameters = bind_parameters(scene);
+  CHECK(expected_largest_overlap(scene, parameters) == Approx(0.02 + 4 / 9e4));
+  // An undamped contact at the base lasts pi sqrt(m/k_n); e = 0.9 makes it 0.06 % longer.
+  CHECK(drive_angle_in_contact(scene, parameters) == Approx(3 * M_PI / 300).epsilon(1e-3));
+}
+
+}  // namespace
