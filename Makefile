@@ -46,11 +46,9 @@ $(PRESETS:%=test-%): test-%: build/%/.configured
 bench: build/bench/.configured  ## speed, as ratios to what runs beside it
 	cmake --build --preset bench --target run-bench
 
-.PHONY: claims report refit
-claims report:  ## the papers' claims and our verdicts; the report of all figures
-refit:  ## refit and replot everything from data/, without running a bed
-claims report refit: build/release/.configured
-	cmake --build --preset release --target $(call with_profile,$@)
+.PHONY: refit
+refit: build/release/.configured  ## refit and replot everything from data/, without running a bed
+	cmake --build --preset release --target $@
 
 .PHONY: packages deps deps-oracle
 packages:
