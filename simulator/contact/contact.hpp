@@ -2,6 +2,7 @@
 
 #include <concepts>
 
+#include "simulator/contact/contact_kind.hpp"
 #include "simulator/dimension.hpp"
 
 namespace shakebed::simulator {
