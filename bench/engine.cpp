@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/lammps_time.hpp"
+#include "files/build_info.hpp"
+#include "files/csv.hpp"
+#include "files/error.hpp"
+#include "simulator/contact/parameters.hpp"
+#include "simulator/scene/read_scene.hpp"
+#include "simulator/simulate.hpp"
+
+// Engines side by side on the rough bed of 100 grains in three dimensions: e = 0.9, mu = 0.4,
+// c_t = c_n, dt = t_c/50, k_n = clamp(4e4 W, 1e5, 1e6), observables sampled as in production. The
+// contestants take turns; what is compared is CPU time per grain and step of the measured cycles,
+// in each turn over that of the uniform engine, and the median over turns.
+namespace {
+
+using namespace shakebed;
+
+struct Options {
+  int turns = 5;
+  double scale = 1;  ///< of the cycles measured
+  std::string deck_writer = "shakebed";
+  std::vector<double> W = {1.5, 5.6, 22.36, 89.43};
+};
+
+struct Timed {
+  double nanoseconds;  ///< CPU time per grain and step
+  double thousand;     ///< CPU seconds per 1000 cycles
+};
+
+struct Contestant {
+  std::string name;
+  std::function<Timed(const simulator::Scene&)> run;
+  std::vector<Timed> turns = {};
+};
+
+Timed timed(double cpu_seconds, long cycles, const simulator::Scene& scene) {
+  const auto steps = simulator::bind_parameters(scene).steps_per_cycle;
+  const double grain_steps = static_cast<double>(cycles) * static_cast<double>(steps) *
+                             static_cast<double>(scene.grains.count);
+  return {1e9 * cpu_seconds / grain_steps, 1000 * cpu_seconds / static_cast<double>(cycles)};
+}
+
+std::vector<std::string> settings(double W, long cycles, std::uint64_t seed) {
+  using files::number_text;
+  return {"base.drive.W=" + number_text(W),
+          "contact.stiffness=" + number_text(std::clamp(4e4 * W, 1e5, 1e6)),
+          "protocol.measure.cycles=" + std::to_string(cycles), "seed=" + std::to_string(seed)};
+}
+
+simulator::Scene bed(double W, long cycles, std::uint64_t seed) {
+  std::vector<simulator::Override> overrides;
+  for (const auto& setting : settings(W, cycles, seed)) {
+    const auto equals = setting.find('=');
+    overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+  }
+  return simulator::read_scene(SHAKEBED_ROUGH_BED, overrides);
+}
+
+Timed ours(simulator::Scene scene, simulator::Engine engine) {
+  scene.protocol.engine = engine;
+  const auto record = simulator::simulate(scene);
+  return timed(record.timing.cpu_seconds_measuring, *scene.protocol.cycles, scene);
+}
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe) throw files::failed(command, "could not be started");
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
+  if (pclose(pipe) != 0) throw files::failed(command, "failed");
+  return text;
+}
+
+Timed lammps(const simulator::Scene& scene, const std::string& deck_writer) {
+  const long cycles = std::max(2L, *scene.protocol.cycles / 8);  // it is the slow one
+  std::string command = "'" + deck_writer + "' export '" SHAKEBED_ROUGH_BED "'";
+  for (const auto& setting : settings(scene.W(), cycles, scene.seed))
+    command += " --set " + setting;
+  const long steps = simulator::bind_parameters(scene).steps_per_cycle;
+  return timed(bench::lammps_cpu_seconds(output_of(command), steps), cycles, scene);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+std::vector<double> each(const std::vector<Timed>& turns, double Timed::*member) {
+  std::vector<double> values;
+  for (const auto& turn : turns) values.push_back(turn.*member);
+  return values;
+}
+
+void print_row(double W, const Contestant& baseline, const Contestant& contestant) {
+  std::vector<double> ratios;
+  for (std::size_t t = 0; t < contestant.turns.size(); ++t) {
+    ratios.push_back(contestant.turns[t].nanoseconds / baseline.turns[t].nanoseconds);
+  }
+  const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+  std::printf("%7.4g  %-10s %10.3g %14.3g %12.3g   (%.3g ... %.3g)\n", W, contestant.name.c_str(),
+              median(each(contestant.turns, &Timed::nanoseconds)),
+              median(each(contestant.turns, &Timed::thousand)), median(ratios), *least, *most);
+  std::fflush(stdout);
+}
+
+/// Enough cycles that a turn of the uniform engine takes about a second.
+long cycles_at(double W, double scale) {
+  const double wanted = W < 3 ? 20 : W < 10 ? 60 : 150;
+  return std::max(8L, static_cast<long>(wanted * scale));
+}
+
+void compare(double W, const Options& options, std::vector<Contestant> contestants) {
+  for (int turn = 0; turn < options.turns; ++turn) {
+    const auto scene = bed(W, cycles_at(W, options.scale), static_cast<std::uint64_t>(turn) + 1);
+    for (auto& contestant : contestants) contestant.turns.push_back(contestant.run(scene));
+  }
+  for (const auto& contestant : contestants) print_row(W, contestants.front(), contestant);
+}
+
+std::vector<Contestant> contestants_for(const Options& options) {
+  using simulator::Engine;
+  std::vector<Contestant> all = {
+      {"uniform", [](const simulator::Scene& scene) { return ours(scene, Engine::uniform); }},
+      {"auto", [](const simulator::Scene& scene) { return ours(scene, Engine::automatic); }}};
+  if (bench::lammps_is_here()) {
+    all.push_back({"LAMMPS", [&options](const simulator::Scene& scene) {
+                     return lammps(scene, options.deck_writer);
+                   }});
+  } else {
+    std::printf("LAMMPS is left out: no lmp on PATH (make deps-oracle installs it).\n");
+  }
+  return all;
+}
+
+[[noreturn]] void usage(const std::string& fault) {
+  throw files::bad_input(fault,
+                         "usage: engine [--turns N] [--scale X] [--shakebed PROGRAM] [W ...]");
+}
+
+Options read_options(int argc, char** argv) {
+  Options options;
+  std::vector<double> W;
+  const auto number = [](const std::string& word) {
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    if (word.empty() || *end != '\0' || !(value > 0)) usage(word);
+    return value;
+  };
+  for (int a = 1; a < argc; ++a) {
+    const std::string word = argv[a];
+    if (!word.starts_with("--")) {
+      W.push_back(number(word));
+      continue;
+    }
+    if (a + 1 == argc) usage(word);
+    const std::string value = argv[++a];
+    if (word == "--turns") {
+      options.turns = std::max(1, static_cast<int>(number(value)));
+    } else if (word == "--scale") {
+      options.scale = number(value);
+    } else if (word == "--shakebed") {
+      options.deck_writer = value;
+    } else {
+      usage(word);
+    }
+  }
+  if (!W.empty()) options.W = W;
+  return options;
+}
+
+void print_head(const Options& options) {
+  std::printf(
+      "3D rough bed, 100 grains, dt = t_c/50, k_n = clamp(4e4 W, 1e5, 1e6) m g/d; %d turns.\n",
+      options.turns);
+  std::printf(
+      "Ours: %s, for %s. LAMMPS: the machine's package; Debian's is built for any x86-64,\n"
+      "so that a LAMMPS built for this machine would be faster.\n\n",
+      std::string(files::compiler_flags()).c_str(), std::string(files::machine()).c_str());
+  std::printf("%7s  %-10s %10s %14s %12s   %s\n", "W", "", "ns/grain/", "s per 1000", "over",
+              "(least ... most");
+  std::printf("%7s  %-10s %10s %14s %12s   %s\n", "", "", "step", "cycles", "uniform",
+              " of the turns)");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Options options = read_options(argc, argv);
+    const auto contestants = contestants_for(options);
+    print_head(options);
+    for (const double W : options.W) compare(W, options, contestants);
+    return 0;
+  } catch (const files::Error& error) {
+    std::fprintf(stderr, "engine: %s\n", error.what());
+    return error.kind() == files::Error::Kind::bad_input ? 2 : 1;
+  }
+}
