@@ -18,7 +18,13 @@ struct Grid {
 std::string rounded(double value, int digits) {
   if (std::isnan(value)) return "-";
   char text[64];
-  std::snprintf(text, sizeof text, "%#.*g", digits, value);
+  // 1.8e+02 reads worse than 180, whose last digit is then one too many.
+  const bool whole = std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e6;
+  if (whole) {
+    std::snprintf(text, sizeof text, "%.0f", value);
+  } else {
+    std::snprintf(text, sizeof text, "%#.*g", digits, value);
+  }
   std::string result = text;
   if (result.ends_with('.')) result.pop_back();
   return result;

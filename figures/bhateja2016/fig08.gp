@@ -22,9 +22,9 @@ do for [panel = 1:2] {
   } else {
     set logscale xy
     set xrange [1:100]
-    set yrange [0.02:1]
+    set yrange [0.04:1]
     set xtics (1, 2, 5, 10, 20, 50, 100)
-    set ytics (0.02, 0.05, 0.1, 0.2, 0.5, 1)
+    set ytics (0.05, 0.1, 0.2, 0.5, 1)
     unset key
   }
   plot for [s = 2:4:2] points using (steady(s, column(points_W))):(column(points_T_z_twice_scaled)):(column(points_T_z_twice_scaled_se)) \
