@@ -20,10 +20,10 @@ using files::number_text;
 void check_data(const Model& model, const Observations& data) {
   const std::size_t needed = model.parameters.size() + 1;
   if (data.size() < needed) {
-    throw files::bad_input("", std::to_string(data.size()) + " points for the " +
-                                   std::to_string(model.parameters.size()) + " parameters of " +
-                                   model.name + "; expected at least " + std::to_string(needed) +
-                                   ": widen the range");
+    throw files::bad_input(
+        "", std::to_string(data.size()) + (data.size() == 1 ? " point" : " points") + " for the " +
+                std::to_string(model.parameters.size()) + " parameters of " + model.name +
+                "; expected at least " + std::to_string(needed) + ": widen the range");
   }
   for (std::size_t i = 0; i < data.size(); ++i) {
     const double x = data.x[i];

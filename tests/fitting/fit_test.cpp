@@ -116,7 +116,7 @@ TEST_CASE("for_each makes one fit a group and reports the one that fails", "[fit
   CHECK(report.fits[0].fitted());
   CHECK(report.fits[0].labels == Labels{{"system", "2D rough"}});
   CHECK_FALSE(report.fits[1].fitted());
-  CHECK_THAT(report.fits[1].problem, Catch::Contains("1 points for the 2 parameters"));
+  CHECK_THAT(report.fits[1].problem, Catch::Contains("1 point for the 2 parameters"));
   const auto summary = table_named("summary", entry, data);
   CHECK(summary.text(1, summary.column("system")) == "3D rough");
   CHECK_FALSE(summary.text(1, summary.column("problem")).empty());
