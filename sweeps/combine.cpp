@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <string_view>
 
 namespace shakebed::sweeps {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 using simulator::Record;
 
 constexpr std::array<const char*, 2> tested_for_scatter{"T_z", "h_cm"};
+
+constexpr std::array<std::string_view, 7> counts{
+    "collisions",      "contact_steps", "contacts_closed", "contacts_fine",
+    "contacts_undone", "breaches",      "dense_steps"};
 
 const simulator::Quantity* quantity_of(const Record& record, const std::string& name) {
   for (const auto& quantity : record.quantities) {
@@ -41,7 +46,7 @@ std::vector<Contribution> contributions(const std::vector<Record>& replicates,
 double combined_scalar(const std::vector<Record>& replicates, const std::string& name) {
   std::vector<double> values;
   for (const auto& record : replicates) values.push_back(scalar_of(record, name, std::nan("")));
-  if (name == "collisions" || name == "contact_steps") {
+  if (std::find(counts.begin(), counts.end(), name) != counts.end()) {
     double sum = 0;
     for (const double value : values) sum += value;
     return sum;

@@ -13,8 +13,9 @@ namespace shakebed::sweeps {
 /// smooth grains in 2D; they go as 1/N and as the square of the precision.
 double predicted_cycles(const simulator::Scene& scene);
 
-/// CPU seconds of the uniform engine on one core of a current machine: grains x steps x the cost
-/// of a grain and step, which depends on how many grains touch.
+/// CPU seconds on one core of a current machine. Uniform engine: grains x steps x the cost of a
+/// grain and step, which depends on how many grains touch. Event engine: grains x cycles x the cost
+/// of the collisions of a grain in a cycle.
 double predicted_cpu_seconds(const simulator::Scene& scene);
 
 }  // namespace shakebed::sweeps

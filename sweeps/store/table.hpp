@@ -23,7 +23,8 @@ struct TableRow {
 
 /// The collected table: axis columns, point columns, `NAME [unit]` and `NAME_se [unit]` for every
 /// quantity, scalars, then stationary, at_rest, replicates, cycles, reason. Columns are the union
-/// over the rows in order of first appearance; what a row lacks is an empty cell.
+/// over the rows in order of first appearance; what a row lacks is an empty cell. An axis column
+/// stands in for a point column or scalar of its name, and may not have a quantity's.
 files::CsvTable collected_table(const std::vector<files::CsvColumn>& axis_columns,
                                 const std::vector<TableRow>& rows);
 

@@ -1,5 +1,6 @@
 #include "sweeps/store/table.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -46,6 +47,20 @@ TEST_CASE("Columns are the union of the rows', in order; what a row lacks is emp
   CHECK(table.number(2, table.column("replicates")) == 0);
   CHECK(table.text(2, table.column("T_z")).empty());
   CHECK(table.text(2, table.column("stationary")).empty());
+}
+
+TEST_CASE("An axis stands in for the point column of its name, and not for a quantity") {
+  TableRow row;
+  row.axis_cells = {"9"};
+  row.point = {{"W", "1", 9.000000000000002}, {"Gamma", "1", 9}};
+  row.quantities = {{"T_z", "m g d", {2, 0.5}}};
+  row.replicates = 1;
+  const auto table = collected_table({{"W", "1"}}, {row});
+  CHECK(table.text(0, table.column("W")) == "9");
+  CHECK(std::count_if(table.columns().begin(), table.columns().end(),
+                      [](const auto& column) { return column.name == "W"; }) == 1);
+  CHECK(table.number(0, table.column("Gamma")) == 9);
+  CHECK_THROWS_WITH(collected_table({{"T_z", "1"}}, {row}), Catch::Contains("rename it with `as`"));
 }
 
 }  // namespace

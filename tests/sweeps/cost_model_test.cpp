@@ -26,6 +26,12 @@ TEST_CASE("Dense beds at low W are the dearest, beds at rest are cheap") {
   CHECK(predicted_cycles(bed(0.9)) < 100);
 }
 
+TEST_CASE("The event engine is cheaper where grains fly") {
+  Scene uniform = bed(22);
+  uniform.protocol.engine = simulator::Engine::uniform;
+  CHECK(predicted_cpu_seconds(uniform) > 5 * predicted_cpu_seconds(bed(22)));
+}
+
 TEST_CASE("Cost grows with grains and cycles") {
   const double once = predicted_cpu_seconds(bed(22));
   Scene longer = bed(22);
