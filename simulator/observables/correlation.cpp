@@ -1,5 +1,6 @@
 #include "simulator/observables/correlation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -32,15 +33,16 @@ CorrelatedMean mean_of_series(std::span<const double> series) {
     return result;
   }
   constexpr double window_factor = 1.5;
+  constexpr double uncorrelated = 0.5;
   double covariance_sum = variance;
-  double tau = 0.5;
+  double tau = uncorrelated;
   std::size_t window = 0;
   for (std::size_t lag = 1; lag < series.size() / 2; ++lag) {
     covariance_sum += 2 * autocovariance(series, mean, lag);
-    tau = std::max(0.5 * covariance_sum / variance, 1e-3);
+    tau = std::max(0.5 * covariance_sum / variance, uncorrelated);
     window = lag;
     const double decay =
-        tau <= 0.5 ? 1e-8 : window_factor / std::log((2 * tau + 1) / (2 * tau - 1));
+        tau == uncorrelated ? 1e-8 : window_factor / std::log((2 * tau + 1) / (2 * tau - 1));
     const auto w = static_cast<double>(lag);
     if (std::exp(-w / decay) - decay / std::sqrt(w * n) < 0) break;
   }

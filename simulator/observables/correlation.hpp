@@ -14,7 +14,9 @@ struct CorrelatedMean {
 
 /// Mean of a stationary series and its standard error sqrt(2 tau var / n), with the integrated
 /// correlation time tau summed over an automatic window (U. Wolff, Comput. Phys. Commun. 156, 143
-/// (2004), S = 1.5, with that paper's bias correction). Fewer than four entries: no error (NaN).
+/// (2004), S = 1.5, with that paper's bias correction). A series that swings from entry to entry (a
+/// hopping bed) counts as uncorrelated: the window would close on the first, negative term alone
+/// and state errors that are too small. Fewer than four entries: no error (NaN).
 CorrelatedMean mean_of_series(std::span<const double> series);
 
 /// Probability below which the two halves of a stationary series are called different (two-sided,
