@@ -1,0 +1,12 @@
+# Brackets and semicolons are CMake's list syntax: the block is cut out by place, not as a list.
+file(READ "${README}" text)
+string(FIND "${text}" "```yaml\n" from)
+if(from EQUAL -1)
+  message(FATAL_ERROR "README.md holds no scene")
+endif()
+math(EXPR from "${from} + 8")
+string(SUBSTRING "${text}" ${from} -1 text)
+string(FIND "${text}" "```" length)
+string(SUBSTRING "${text}" 0 ${length} text)
+file(WRITE "${SCENE}" "${text}")
+execute_process(COMMAND "${SHAKEBED}" check "${SCENE}" COMMAND_ERROR_IS_FATAL ANY)
