@@ -133,6 +133,7 @@ class EventEngine {
   void take_out_of_flight(std::uint32_t i);
   void regroup();
   void pull_in_neighbours(std::size_t k);
+  bool is_ongoing(std::uint32_t grain, double t) const;
   void undo(std::uint32_t grain);
 
   // Hand-over between events and the dense stepper.

@@ -14,7 +14,8 @@ void EventEngine<Physics>::take_out_of_flight(std::uint32_t i) {
 }
 
 /// Grain i, which will touch something at time t, joins the grains on the grid at the last step
-/// before t.
+/// before t. Closed contacts that end between that step and t are over: their grains go on the
+/// grid on their new flights, which the next step finds apart.
 template <class Physics>
 void EventEngine<Physics>::activate(std::uint32_t i, double t) {
   if (fine_.count() == 0) {
@@ -22,6 +23,7 @@ void EventEngine<Physics>::activate(std::uint32_t i, double t) {
     step_ = epoch_step_ + std::max(0L, last);
     fresh_.clear();
   }
+  std::erase_if(ongoing_, [t](const Ongoing& contact) { return contact.end() <= t; });
   const double level = time_of(step_);
   const auto motion = motion_of(i, level);
   fine_.add(i, motion.x, motion.v, motion.spin, physics_);
@@ -115,7 +117,7 @@ void EventEngine<Physics>::pull_in_neighbours(std::size_t k) {
     if (!flights_.present(j)) continue;  // came along with a partner just undone
     Vector<D> r = flights_.position_at(j, t) - x;
     for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);
-    const bool in_contact = flights_.valid_from[j] > t;
+    const bool in_contact = is_ongoing(j, t);
     const double speed = flights_.velocity_at(j, t).norm() + physics_.gravity * window;
     const double reach = 1 + 1.05 * (cap + speed) * window + (in_contact ? stray : 0);
     if (r.squaredNorm() > reach * reach) continue;
@@ -123,12 +125,19 @@ void EventEngine<Physics>::pull_in_neighbours(std::size_t k) {
       undo(j);
       continue;
     }
-    if (r.squaredNorm() < 1 - 1e-9) ++counters_.breaches;
+    if (r.squaredNorm() < 1 - 1e-9 && flights_.valid_from[j] <= t) ++counters_.breaches;
     const auto motion = motion_of(j, t);
     fine_.add(j, motion.x, motion.v, motion.spin, physics_);
     fresh_.resize(fine_.count(), false);
     take_out_of_flight(j);
   }
+}
+
+template <class Physics>
+bool EventEngine<Physics>::is_ongoing(std::uint32_t grain, double t) const {
+  return std::any_of(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
+    return contact.involves(grain) && contact.end() > t;
+  });
 }
 
 /// Takes back a closed contact that is under way: both partners go on the grid as they are now,

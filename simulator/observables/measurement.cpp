@@ -164,6 +164,9 @@ void Measurement<D>::judge_stationarity(Record& record) const {
         "measured for only %.2g flight times 2 V_p/g; at least %.0f are needed to see "
         "more than one throw",
         flights, 4);
+  } else if (mean_of_series(T_z).estimate.standard_error >
+             0.3 * mean_of_series(T_z).estimate.mean) {
+    record.stationary_reason = "T_z is not known to 30 %: nothing can be said of its drift";
   } else if (work.estimate.mean <= 0) {
     record.stationary_reason = "the base did no net work: the bed is still falling or at rest";
   } else if (std::abs(work.estimate.mean - loss.estimate.mean) >
@@ -181,6 +184,18 @@ void Measurement<D>::judge_stationarity(Record& record) const {
         formatted("halves agree; base power %.4g equals dissipation %.4g within errors",
                   work.estimate.mean, loss.estimate.mean);
   }
+}
+
+template <int D>
+void Measurement<D>::check_ledger(Record& record, const EnergyLedger& ledger,
+                                  double residual) const {
+  constexpr double tolerated = 0.02;  // t_c/10 leaves about 1 %
+  if (record.at_rest || std::abs(residual) <= tolerated * std::max(ledger.dissipation, 1.0)) return;
+  record.stationary = false;
+  record.stationary_reason = formatted(
+      "the energy ledger is open by %.3g m g d of %.3g dissipated: the time step is too "
+      "coarse, or contacts were missed",
+      residual, ledger.dissipation);
 }
 
 template <int D>
@@ -214,6 +229,7 @@ void Measurement<D>::write(Record& record, const EnergyLedger& ledger, double en
                          {"ledger_residual", "m g d", residual}});
   record.series = series_.observables();
   judge_stationarity(record);
+  check_ledger(record, ledger, residual);
 }
 
 template class Measurement<2>;

@@ -51,6 +51,8 @@ class Measurement {
   void write_temperatures(Record& record) const;
   void write_volume_averages(Record& record) const;
   void judge_stationarity(Record& record) const;
+  /// A ledger that does not close makes every other number doubtful.
+  void check_ledger(Record& record, const EnergyLedger& ledger, double residual) const;
 
   Scene scene_;
   double rest_height_;

@@ -200,6 +200,9 @@ void read_protocol(SceneValues& values, Scene& scene) {
   const auto engine = values.word("protocol.engine").value_or("auto");
   if (engine == "uniform") protocol.engine = Engine::uniform;
   if (engine == "events") protocol.engine = Engine::events;
+  const auto contacts = values.word("protocol.contacts").value_or("auto");
+  if (contacts == "fine") protocol.contacts = ContactOperator::fine;
+  if (contacts == "closed") protocol.contacts = ContactOperator::closed;
 }
 
 void read_gravity(SceneValues& values, Scene& scene) {

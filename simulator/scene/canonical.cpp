@@ -55,15 +55,10 @@ std::string protocol_text(const Scene::Protocol& protocol) {
   text += "  time_step:\n    fraction_of_contact_duration: ";
   text += number_text(protocol.time_step_fraction) + "\n";
   if (protocol.allow_coarse_time_step) text += "    allow_coarse: true\n";
-  text += "  engine: ";
-  switch (protocol.engine) {
-    case Engine::automatic:
-      return text + "auto\n";
-    case Engine::uniform:
-      return text + "uniform\n";
-    case Engine::events:
-      return text + "events\n";
-  }
+  constexpr const char* engines[] = {"auto", "uniform", "events"};
+  constexpr const char* contacts[] = {"auto", "fine", "closed"};
+  text += std::string("  engine: ") + engines[static_cast<int>(protocol.engine)] + "\n";
+  text += std::string("  contacts: ") + contacts[static_cast<int>(protocol.contacts)] + "\n";
   return text;
 }
 

@@ -109,7 +109,10 @@ const std::vector<Key>& table() {
       {"protocol.time_step.allow_coarse", boolean, "", any_value, {}, false, "false",
        "accept dt above 0.2 t_c, where restitution is visibly off"},
       {"protocol.engine", word, "", any_value, {"auto", "uniform", "events"}, false, "auto",
-       "uniform: velocity Verlet with one step for all; events: free flights are skipped"},
+       "uniform: velocity Verlet with one step for all; events (and auto): free flights are skipped"},
+      {"protocol.contacts", word, "", any_value, {"auto", "fine", "closed"}, false, "auto",
+       "of the event engine: fine steps through every contact; closed (and auto) takes isolated "
+       "ones in one stride by their exact solution"},
 
       {"seed", integer, "1", not_negative, {}, false, "1",
        "of the start positions and velocities; another seed is another replicate"},
