@@ -87,6 +87,13 @@ void print_contacts(const Parameters& parameters) {
   line("", "m_eff [m], k_n [m g/d], c_n and c_t [m sqrt(g/d)], t_c [sqrt(d/g)]");
 }
 
+std::string engine_text(const Scene::Protocol& protocol) {
+  if (protocol.engine == simulator::Engine::uniform) return "uniform, every grain at every step";
+  const bool fine = protocol.contacts == simulator::ContactOperator::fine;
+  return std::string("events, free flights in one stride; contacts ") +
+         (fine ? "step by step" : "in closed form where isolated, else step by step");
+}
+
 std::string measure_text(const Scene::Protocol& protocol) {
   if (protocol.cycles) return "measure " + std::to_string(*protocol.cycles) + " cycles";
   return "measure until " + protocol.until->quantity + " is known to " +
@@ -99,6 +106,7 @@ void print_numerics(const Scene& scene, const Parameters& parameters) {
   line("time step", "dt = " + rounded(parameters.time_step) + " sqrt(d/g) = t_c/" +
                         rounded(parameters.contact_duration / parameters.time_step) + ", " +
                         std::to_string(parameters.steps_per_cycle) + " steps per cycle");
+  line("engine", engine_text(protocol));
   line("stiffness", "omega t_c = " + rounded(drive_angle_in_contact(scene, parameters)) +
                         " rad; largest overlap to expect about " +
                         rounded(expected_largest_overlap(scene, parameters)) +

@@ -125,6 +125,13 @@ TEST_CASE("A table on disk has provenance, names with units, and rows in order")
   CHECK(std::isnan(back.number(1, 1)));
 }
 
+TEST_CASE("A cell that other readers would take for a comment is quoted") {
+  CsvTable table({{"#1", ""}, {"b", ""}});
+  table.add_row({"# no comment", "#"});
+  CHECK(table.to_text() == "\"#1 []\",b []\n\"# no comment\",\"#\"\n");
+  CHECK(written_and_read(table).columns()[0].name == "#1");
+}
+
 TEST_CASE("A table of one column keeps its missing values") {
   CsvTable table(std::vector<files::CsvColumn>{{"x", "1"}});
   table.add_row({""});

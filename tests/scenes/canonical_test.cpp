@@ -33,6 +33,7 @@ class RandomScenes {
         {"contact.tangential", "{law: viscous_coulomb, damping: " + damping() + "}"},
         {"protocol.settle", chance() ? "auto" : between(0, 100)},
         {"protocol.engine", pick({"auto", "uniform", "events"})},
+        {"protocol.contacts", pick({"auto", "fine", "closed"})},
         {"protocol.time_step.fraction_of_contact_duration", between(0.001, 0.5)},
         {"protocol.time_step.allow_coarse", "true"},
         {"seed", std::to_string(random_() >> 1)},
@@ -80,6 +81,8 @@ TEST_CASE("The canonical text of any scene reads back as that scene") {
     if (scene.protocol.until) {
       REQUIRE(back.protocol.until->fraction == scene.protocol.until->fraction);
     }
+    REQUIRE(back.protocol.engine == scene.protocol.engine);
+    REQUIRE(back.protocol.contacts == scene.protocol.contacts);
     REQUIRE(back.seed == scene.seed);
   }
 }
@@ -127,6 +130,7 @@ TEST_CASE("Every member of a scene shows in its canonical text") {
       {"protocol.measure.until.T", "1 %"},
       {"protocol.time_step.fraction_of_contact_duration", "0.01"},
       {"protocol.engine", "uniform"},
+      {"protocol.contacts", "fine"},
       {"seed", "2"},
   };
   for (const auto& change : changes) {

@@ -82,8 +82,9 @@ TEST_CASE("check says what a bed models and what it leaves out") {
   CHECK(three.code == 0);
   for (const char* part :
        {"100 rough grains in 3 dimensions", "W = 22.36", "x, y, z", "spin about x, y and z",
-        "viscous-Coulomb", "memory of contacts", "grain-grain", "grain-base", "t_c/50", "omega t_c",
-        "largest overlap", "CPU seconds", "discard", "measure 300 cycles"}) {
+        "viscous-Coulomb", "memory of contacts", "grain-grain", "grain-base", "t_c/50",
+        "engine        events", "omega t_c", "largest overlap", "CPU seconds", "discard",
+        "measure 300 cycles"}) {
     CAPTURE(part);
     CHECK_THAT(three.output, Catch::Contains(part));
   }
