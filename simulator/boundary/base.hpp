@@ -10,7 +10,7 @@ struct SineCosine {
   double cosine;
 };
 
-/// sin and cos of 2 pi `cycles`, by Taylor polynomials on an octant (error < 2e-16). Our own,
+/// sin and cos of 2 pi `cycles`, by Taylor polynomials on an octant (error < 3e-16). Our own,
 /// because libm picks variants by CPU, and results must not depend on that.
 inline SineCosine sine_cosine_of_cycles(double cycles) {
   const double fraction = cycles - std::floor(cycles);
