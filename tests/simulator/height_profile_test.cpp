@@ -1,0 +1,219 @@
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "simulator/grains/random_stream.hpp"
+#include "simulator/observables/height_profile.hpp"
+#include "simulator/observables/temperature.hpp"
+
+namespace shakebed::tests {
+namespace {
+
+using simulator::Estimate;
+using simulator::HeightProfile;
+using simulator::RandomStream;
+
+constexpr auto thermal = simulator::RandomPurpose::thermal_velocities;
+
+const simulator::ProfileColumn& column(const simulator::Profile& profile, const std::string& name) {
+  for (const auto& one : profile.columns) {
+    if (one.name == name) return one;
+  }
+  FAIL("no column " << name);
+  return profile.columns.front();
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0;
+  for (const double v : values) total += v;
+  return total;
+}
+
+template <int D>
+simulator::Grains<D, false> grains_at(const std::vector<double>& heights,
+                                      const std::vector<double>& vertical_velocities) {
+  simulator::Grains<D, false> grains;
+  grains.resize_to(heights.size());
+  grains.position[D - 1] = heights;
+  grains.velocity[D - 1] = vertical_velocities;
+  return grains;
+}
+
+/// Width of the unit sphere's or disc's section at height s over its largest: an integrand whose
+/// integral over [-1/2, 1/2] is 2/3 or pi/4.
+template <int D>
+double section(double s) {
+  const double square = std::max(0.0, 1 - 4 * s * s);
+  return D == 3 ? square : std::sqrt(square);
+}
+
+/// A block of `count` grains in the box [0, 1) with random velocities of variance `variance`.
+simulator::Grains<2, false> random_block(RandomStream& random, std::size_t count, double variance) {
+  simulator::Grains<2, false> grains;
+  grains.resize_to(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    grains.position[1][i] = random.uniform();
+    for (auto& velocity : grains.velocity) velocity[i] = std::sqrt(variance) * random.normal();
+  }
+  return grains;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("profile: the cap formula is the integral over sections", "", ((int D), D),
+                       2, 3) {
+  constexpr int slices = 200000;
+  double integral = 0;
+  const double whole = D == 3 ? 2.0 / 3 : std::numbers::pi / 4;
+  for (int k = 0; k < slices; ++k) {
+    const double s = (k + 0.5) / slices - 0.5;
+    integral += section<D>(s) / slices / whole;
+    if (k % 10000 == 9999) {
+      CHECK(simulator::part_below<D>((k + 1.0) / slices - 0.5) == Approx(integral).margin(1e-7));
+    }
+  }
+  CHECK(simulator::part_below<D>(-0.5) == Approx(0).margin(1e-15));
+  CHECK(simulator::part_below<D>(0.5) == Approx(1));
+}
+
+// Wherever grains are, sum of phi over boxes x (box area x 1 d) is the grains' volume, and the
+// boxes hold each centre once.
+TEMPLATE_TEST_CASE_SIG("profile: counts sum to the grains, phi to their volume", "", ((int D), D),
+                       2, 3) {
+  RandomStream random(3, simulator::RandomPurpose::filling);
+  const double area = 7;
+  HeightProfile<D> profile(-2, area);
+  for (int cycle = 0; cycle < 100; ++cycle) {
+    std::vector<double> heights;
+    for (int i = 0; i < 30; ++i) heights.push_back(-1.5 + 20 * random.uniform());
+    heights.push_back(5);  // exactly between two boxes
+    profile.sample(grains_at<D>(heights, std::vector<double>(heights.size(), 0.0)));
+    profile.end_cycle();
+  }
+  const auto result = profile.summarise().profile;
+  CHECK(sum(column(result, "grains_in_box").mean) == Approx(31).epsilon(1e-12));
+  const double size = D == 3 ? std::numbers::pi / 6 : std::numbers::pi / 4;
+  CHECK(sum(column(result, "phi").mean) * area == Approx(31 * size).epsilon(1e-12));
+  CHECK(result.z.front() == -1.5);
+}
+
+// One grain centred 0.2 d above the middle of box [1, 2): 0.2 d of it reach into box [2, 3).
+TEST_CASE("profile: a grain's volume is shared between boxes as it lies") {
+  HeightProfile<3> profile(0, 1);
+  profile.sample(grains_at<3>({1.7}, {0}));
+  const auto result = profile.summarise().profile;
+  const auto& phi = column(result, "phi").mean;
+  const double above = 0.2 * 0.2 * (3 - 2 * 0.2);  // cap of height h: h^2 (3 - 2h) of the volume
+  CHECK(phi[2] == Approx(above * std::numbers::pi / 6));
+  CHECK(phi[1] == Approx((1 - above) * std::numbers::pi / 6));
+  CHECK(phi[0] == 0);
+}
+
+// 100 grains in [0, 1) at w = +-1 (T_z = 1/2), 100 in [1, 2) at w = +-3 (T_z = 9/2): 99 % of
+// centres lie below 1.98, and T_z_volume = (1 x 1/2 + 0.98 x 9/2)/1.98.
+TEST_CASE("profile: the volume average weighs heights, not grains") {
+  std::vector<double> heights;
+  std::vector<double> velocities;
+  for (int i = 0; i < 200; ++i) {
+    const bool upper = i >= 100;
+    heights.push_back(upper ? 1.5 : 0.5);
+    velocities.push_back((i % 2 == 0 ? 1 : -1) * (upper ? 3.0 : 1.0));
+  }
+  HeightProfile<3> profile(-1, 25);
+  profile.sample(grains_at<3>(heights, velocities));
+  profile.end_cycle();
+  const auto summary = profile.summarise();
+  CHECK(summary.averaging_height == Approx(1.98));
+  const double expected = (0.5 + 0.98 * 4.5) / 1.98;
+  CHECK(summary.volume_temperature[2].mean == Approx(expected));
+  CHECK(summary.volume_temperature[0].mean == 0);
+  CHECK(summary.volume_temperature[3].mean == Approx(expected / 3));
+  CHECK(summary.packing_fraction.mean == Approx(200 * std::numbers::pi / 6 / (25 * 1.98)));
+  const auto& T_z = column(summary.profile, "T_z").mean;
+  CHECK(T_z[0] == 0);
+  CHECK(T_z[1] == Approx(0.5));
+  CHECK(T_z[2] == Approx(4.5));
+}
+
+// The local mean velocity in time is removed: grains that all pass at w = 2 are not warm.
+TEST_CASE("profile: the local temperature is about the local mean velocity") {
+  HeightProfile<3> profile(0, 1);
+  profile.sample(grains_at<3>({0.5, 0.5, 0.5, 0.5}, {1, 3, 1, 3}));
+  const auto result = profile.summarise().profile;
+  CHECK(column(result, "T_z").mean[0] == Approx(0.5));
+}
+
+// For a plain mean the jackknife is the classical standard error s/sqrt(B).
+TEST_CASE("profile: jackknife errors of counts are the classical ones") {
+  HeightProfile<3> profile(0, 1);
+  const std::vector<int> counts{3, 7, 4, 4, 9, 5, 2, 6};
+  double mean = 0;
+  double square = 0;
+  for (const int count : counts) {
+    profile.sample(grains_at<3>(std::vector<double>(count, 0.5), std::vector<double>(count, 0.0)));
+    profile.end_cycle();
+    mean += count / 8.0;
+    square += count * count / 8.0;
+  }
+  const auto result = profile.summarise().profile;
+  CHECK(column(result, "grains_in_box").mean[0] == Approx(mean));
+  CHECK(column(result, "grains_in_box").standard_error[0] ==
+        Approx(std::sqrt((square - mean * mean) / 7)));
+}
+
+// Spread of T over 400 independent profiles against the error each states. The spread of 400
+// values is known to 1/sqrt(2 x 400) = 3.5 %, and the mean error is a little noisy: 4 standard
+// errors are 15 % (false alarm 1e-4).
+TEST_CASE("profile: jackknife errors of temperatures are their spread") {
+  RandomStream random(9, thermal);
+  constexpr int repeats = 400;
+  double mean = 0;
+  double square = 0;
+  double stated = 0;
+  for (int k = 0; k < repeats; ++k) {
+    HeightProfile<2> profile(0, 5);
+    for (int cycle = 0; cycle < 60; ++cycle) {  // 60 cycles: blocks are merged once
+      profile.sample(random_block(random, 5, 1 + 0.5 * random.uniform()));
+      profile.end_cycle();
+    }
+    const auto result = profile.summarise().profile;
+    const double T = column(result, "T_z").mean[0];
+    mean += T / repeats;
+    square += T * T / repeats;
+    stated += column(result, "T_z").standard_error[0] / repeats;
+  }
+  CHECK(mean == Approx(0.5 * 1.25).epsilon(0.02));
+  CHECK(stated == Approx(std::sqrt(square - mean * mean)).epsilon(0.15));
+}
+
+TEST_CASE("profile: fewer than four blocks have no error") {
+  HeightProfile<3> profile(0, 1);
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    profile.sample(grains_at<3>({0.5}, {0}));
+    profile.end_cycle();
+  }
+  CHECK(std::isnan(column(profile.summarise().profile, "phi").standard_error[0]));
+}
+
+// Bhateja 2016, Eq. 5 with its 1/2: T_c = (m/2) <(v_c - <v_c>)^2>.
+TEST_CASE("temperature: half the variance over grains, and half the mean square in the lab") {
+  simulator::TemperatureSums<2> sums;
+  simulator::Grains<2, false> grains;
+  grains.resize_to(4);
+  grains.velocity[0] = {1, 2, 3, 4};
+  grains.velocity[1] = {5, 5, 5, 5};
+  grains.position[1] = {0, 1, 2, 5};
+  sums.sample(grains);
+  for (auto& v : grains.velocity[0]) v = 0;
+  sums.sample(grains);
+  const auto averages = sums.take();  // T_x, T_z, T_x_lab, T_z_lab, h_cm
+  REQUIRE(averages.size() == 5);
+  CHECK(averages[0] == Approx(0.5 * 1.25 / 2));
+  CHECK(averages[1] == Approx(0).margin(1e-14));
+  CHECK(averages[2] == Approx(0.5 * 7.5 / 2));
+  CHECK(averages[3] == Approx(0.5 * 25));
+  CHECK(averages[4] == Approx(2));
+  sums.sample(grains);
+  CHECK(sums.take()[0] == 0);  // taking starts afresh
+}
+
+}  // namespace shakebed::tests
