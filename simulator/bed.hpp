@@ -71,7 +71,7 @@ SettledBed<Physics> settle(const Scene& scene, const RunControl& control) {
   constexpr double interval = 0.25;
   const auto steps = std::lround(interval / physics.time_step);
   const auto n = static_cast<double>(count);
-  constexpr double rest_energy = 1e-5;  // kinetic energy per grain [m g d]
+  constexpr double rest_energy = 1e-7;  // kinetic energy per grain [m g d]
   bool at_rest = false;
   for (double t = 0; t < longest && !at_rest; t += interval) {
     if (control.stop_requested && control.stop_requested()) throw files::Interrupted();
@@ -100,37 +100,67 @@ class Protocol {
            const RunControl& control)
       : scene_(scene), parameters_(parameters), mover_(mover), control_(control) {}
 
-  /// Returns the cycles discarded: fewer than planned when Gamma < 1 and a whole cycle was quiet.
-  long discard() {
+  /// Discards fewer cycles than planned when Gamma < 1 and a whole cycle was quiet.
+  void discard() {
     const long planned = scene_.protocol.transient.value_or(automatic_transient(scene_));
     for (long c = 0; c < planned; ++c) {
       poll(0.5 * static_cast<double>(c) / static_cast<double>(planned));
+      ++discarded_;
       if (scene_.Gamma() >= 1) {
         mover_.advance(parameters_.steps_per_cycle);
         continue;
       }
       Measurement<D> look(scene_, 0);
       measure_cycle(look);
-      if (look.at_rest()) return c + 1;
+      if (look.at_rest()) return;
     }
-    return planned;
   }
 
+  /// Measures for the cycles asked for, or until the quantity asked for is known. In the latter
+  /// case a bed found drifting at a look (a plug that melts late, say) has all that was measured
+  /// discarded when its transient is ours to choose. Call open_books() first.
   void measure(Measurement<D>& measurement) {
-    const long most = scene_.protocol.cycles.value_or(scene_.protocol.at_most);
-    long next_look = first_look;
+    const auto& rule = scene_.protocol;
+    const long most = rule.cycles.value_or(rule.at_most);
+    long next_look = first_look();
+    int restarts = rule.until && !rule.transient ? most_restarts : 0;
     while (measurement.cycles() < most) {
       poll(0.5 + 0.5 * static_cast<double>(measurement.cycles()) / static_cast<double>(most));
       measure_cycle(measurement);
       if (over_early(measurement)) break;
-      if (!scene_.protocol.until || measurement.cycles() < next_look) continue;
-      if (measurement.at_rest() || measurement.precise_enough(*scene_.protocol.until)) break;
+      if (!rule.until || measurement.cycles() < next_look) continue;
+      if (measurement.at_rest()) break;
+      if (restarts > 0 && measurement.drifts()) {
+        --restarts;
+        discarded_ += measurement.cycles();
+        measurement.restart();
+        open_books();
+        next_look = first_look();
+        continue;
+      }
+      if (measurement.precise_enough(*rule.until)) break;
       next_look *= 2;  // looking at every cycle and stopping at a lucky one would undercover
     }
   }
 
+  /// Starts the ledger anew.
+  void open_books() {
+    mover_.ledger() = {};
+    energy_before_ = mover_.energy();
+  }
+  double energy_change() const { return mover_.energy() - energy_before_; }
+  long discarded() const { return discarded_; }
+
  private:
-  static constexpr long first_look = 32;
+  static constexpr int most_restarts = 8;
+
+  /// Not before 32 cycles, nor before eight flights 2 V_p/g of the bed.
+  long first_look() const {
+    const auto& drive = scene_.base.drive;
+    const double flights =
+        scene_.gravity > 0 ? 16 * drive.peak_velocity() / (scene_.gravity * drive.period()) : 0;
+    return std::max(32L, static_cast<long>(std::ceil(flights)));
+  }
 
   void poll(double fraction) const {
     if (control_.stop_requested && control_.stop_requested()) throw files::Interrupted();
@@ -155,6 +185,8 @@ class Protocol {
   const Parameters& parameters_;
   MoverType& mover_;
   const RunControl& control_;
+  long discarded_ = 0;
+  double energy_before_ = 0;
 };
 
 }  // namespace shakebed::simulator

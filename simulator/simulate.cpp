@@ -79,14 +79,13 @@ void run_protocol(Record& record, const Scene& scene, const Parameters& p, Mover
                            "nothing called '" + scene.protocol.until->quantity +
                                "' is measured in this scene; use T_z, T_x, T or h_cm");
   }
-  const long transient = protocol.discard();
-  const double energy_before = mover.energy();
-  mover.ledger() = {};
+  protocol.discard();
+  protocol.open_books();
   const double measuring = thread_cpu_seconds();
   protocol.measure(measurement);
   record.timing.cpu_seconds_measuring = thread_cpu_seconds() - measuring;
-  record.scalars.push_back({"transient", "cycles", static_cast<double>(transient)});
-  measurement.write(record, mover.ledger(), mover.energy() - energy_before);
+  record.scalars.push_back({"transient", "cycles", static_cast<double>(protocol.discarded())});
+  measurement.write(record, mover.ledger(), protocol.energy_change());
   warn(record, scene, p, mover.ledger());
 }
 

@@ -20,9 +20,8 @@ struct ViscousCoulomb {
 
   /// F_t / |v_t|: the force is minus this times the slip velocity.
   double force_over_slip(double slip_speed, double normal_force) const {
-    const double cap = friction * std::abs(normal_force);
-    const double viscous = damping * slip_speed;
-    return viscous <= cap ? damping : cap / slip_speed;
+    // No branch: which of the two wins is unpredictable in a shaken bed.
+    return std::min(damping, friction * std::abs(normal_force) / slip_speed);
   }
 };
 

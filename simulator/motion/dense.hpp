@@ -94,15 +94,29 @@ class DenseStepper {
       base_touched_[i] = step_;
       ++touching_;
     }
-    for (const auto k : inner_) {
-      const Vector<D> r = separation(outer_[k]);
-      const double rr = r.squaredNorm();
-      if (rr >= 4 * grain_radius * grain_radius) continue;
+    find_touching();
+    for (std::size_t n = 0; n < now_touching_.size(); ++n) {
+      const auto& [k, r, rr] = now_touching_[n];
       grains_.touch_pair(physics_, outer_[k].i, outer_[k].j, r, rr, touched_[k] != step_ - 1,
                          ledger);
       touched_[k] = step_;
-      ++touching_;
     }
+    touching_ += static_cast<long>(now_touching_.size());
+  }
+
+  /// Apart from the forces, and without a branch: whether a pair touches cannot be predicted, and a
+  /// wrong guess costs as much as the force.
+  void find_touching() {
+    now_touching_.resize(inner_.size() + 1);
+    std::size_t found = 0;
+    for (const auto k : inner_) {
+      auto& next = now_touching_[found];
+      next.k = k;
+      next.r = separation(outer_[k]);
+      next.rr = next.r.squaredNorm();
+      found += next.rr < 4 * grain_radius * grain_radius ? 1 : 0;
+    }
+    now_touching_.resize(found);
   }
 
   Vector<D> separation(const NeighbourPair<D>& pair) const {
@@ -191,6 +205,12 @@ class DenseStepper {
   std::vector<NeighbourPair<D>> outer_;
   std::vector<long> touched_;  ///< the last step at which the outer pair touched
   std::vector<std::uint32_t> inner_;
+  struct Touching {
+    std::uint32_t k;  ///< in outer_
+    Vector<D> r;
+    double rr;
+  };
+  std::vector<Touching> now_touching_;
   std::vector<std::uint32_t> near_base_;
   std::vector<long> base_touched_;
   std::vector<double> caps_;

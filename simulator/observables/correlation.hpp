@@ -19,11 +19,12 @@ struct CorrelatedMean {
 /// and state errors that are too small. Fewer than four entries: no error (NaN).
 CorrelatedMean mean_of_series(std::span<const double> series);
 
-/// Probability below which the two halves of a stationary series are called different (two-sided,
-/// Gaussian): the false-alarm rate of the drift check.
+/// Probability with which the drift check calls a long stationary series drifting (two-sided,
+/// Gaussian); an error estimated from few entries raises it, to about 1e-3 at 32.
 inline constexpr double drift_false_alarm = 1e-4;
 
-/// True when the means of both halves agree within 3.89 combined standard errors.
+/// True when the means of both halves agree within 3.89 sqrt(2) standard errors of the later half.
+/// (Its error serves for both: a jump within the first half would hide in that half's own error.)
 bool halves_agree(std::span<const double> series);
 
 }  // namespace shakebed::simulator

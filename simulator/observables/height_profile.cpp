@@ -22,12 +22,12 @@ double part_below<2>(double s) {
 
 namespace {
 
-/// Jackknife over blocks of a vector-valued statistic of summed blocks.
+/// Jackknife over blocks of a vector-valued statistic of summed blocks, which are `width` long (a
+/// block ends where nothing was above it).
 std::vector<Estimate> jackknife(
     const std::vector<std::vector<double>>& blocks, const std::vector<long>& samples,
+    std::size_t width,
     const std::function<std::vector<double>(const std::vector<double>&, double)>& statistic) {
-  std::size_t width = 0;
-  for (const auto& block : blocks) width = std::max(width, block.size());
   std::vector<double> total(width, 0);
   double total_samples = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -157,22 +157,21 @@ std::vector<double> HeightProfile<D>::volume_averages(const Sums& sums, double h
 template <int D>
 typename HeightProfile<D>::Summary HeightProfile<D>::summarise() const {
   Summary summary{};
-  auto blocks = blocks_;
-  auto samples = block_samples_;
-  if (blocks.empty()) {
-    blocks.push_back(current_);
-    samples.push_back(samples_);
-  }
-  for (auto& block : blocks) block.resize(boxes_ * stride, 0.0);
+  // Tall profiles are most of a bed's memory, so that finished blocks are read where they are.
+  const bool unfinished = blocks_.empty();
+  const std::vector<Sums> first = unfinished ? std::vector<Sums>{current_} : std::vector<Sums>{};
+  const auto& blocks = unfinished ? first : blocks_;
+  const auto samples = unfinished ? std::vector<long>{samples_} : block_samples_;
+  const std::size_t width = boxes_ * stride;
 
-  Sums total(boxes_ * stride, 0.0);
+  Sums total(width, 0.0);
   for (const auto& block : blocks) {
     for (std::size_t k = 0; k < block.size(); ++k) total[k] += block[k];
   }
   summary.averaging_height = height_below_which(total, 0.99);
 
   const double grain_size = D == 3 ? grain_volume : grain_cross_section_area;
-  const auto local = jackknife(blocks, samples, [&](const Sums& sums, double n) {
+  const auto local = jackknife(blocks, samples, width, [&](const Sums& sums, double n) {
     std::vector<double> values;
     for (std::size_t k = 0; k < boxes_; ++k) {
       values.push_back(sums[k * stride] / n);
@@ -181,7 +180,7 @@ typename HeightProfile<D>::Summary HeightProfile<D>::summarise() const {
     }
     return values;
   });
-  const auto volume = jackknife(blocks, samples, [&](const Sums& sums, double n) {
+  const auto volume = jackknife(blocks, samples, width, [&](const Sums& sums, double n) {
     return volume_averages(sums, height_below_which(sums, 0.99), n);
   });
 

@@ -94,6 +94,11 @@ bool Measurement<D>::knows(const std::string& quantity) const {
 }
 
 template <int D>
+bool Measurement<D>::drifts() const {
+  return !halves_agree(series_[D - 1].values) || !halves_agree(series_[height].values);
+}
+
+template <int D>
 bool Measurement<D>::precise_enough(const Scene::Precision& wanted) const {
   const auto mean = mean_of_series(values_of(wanted.quantity));
   constexpr double least_independent = 30;
@@ -147,7 +152,6 @@ void Measurement<D>::judge_stationarity(Record& record) const {
   const auto work = mean_of_series(series_[base_power].values);
   const auto loss = mean_of_series(series_[dissipation_power].values);
   const auto& T_z = series_[D - 1].values;
-  const auto& h_cm = series_[height].values;
   if (record.at_rest) {
     record.stationary = true;
     record.stationary_reason = formatted(
@@ -174,7 +178,7 @@ void Measurement<D>::judge_stationarity(Record& record) const {
     record.stationary_reason =
         formatted("base power %.4g and dissipation %.4g differ by more than 4 standard errors",
                   work.estimate.mean, loss.estimate.mean);
-  } else if (!halves_agree(T_z) || !halves_agree(h_cm)) {
+  } else if (drifts()) {
     record.stationary_reason =
         "the two halves of the measured cycles differ by more than 3.89 standard errors in T_z or "
         "h_cm";

@@ -38,6 +38,8 @@ class Measurement {
   /// 30 independent entries (fewer make the error itself too uncertain to stop on).
   bool precise_enough(const Scene::Precision& wanted) const;
   bool knows(const std::string& quantity) const;
+  bool drifts() const;  ///< the halves of what was measured differ, in T_z or h_cm
+  void restart() { *this = Measurement(scene_, rest_height_); }
 
   /// Quantities, profile, series, stationarity. `energy_change` is the ledger's other side.
   void write(Record& record, const EnergyLedger& ledger, double energy_change) const;
