@@ -7,7 +7,7 @@ namespace shakebed::simulator {
 namespace {
 
 constexpr double slip_per_impulse = 3.5;  // 1 + 5/2, solid spheres
-constexpr std::size_t time_steps = 512;
+constexpr std::size_t time_steps = 1024;
 
 /// Caps mu |F_n|/(m_eff v) at the ends and middles of the time steps.
 std::vector<double> friction_caps(const ContactKind& kind, const ClosedNormal& normal) {

@@ -253,7 +253,7 @@ void EventEngine<Physics>::run_dense(long target) {
     dense_->step(ledger_);
     ++step_;
     ++counters_.dense_steps;
-    if (step_ % look_every == 0 && dense_->touching() < static_cast<long>(count_) / 10) {
+    if (step_ % look_every == 0 && dense_->touching() <= static_cast<long>(count_) / 10) {
       leave_dense();
       return;
     }
