@@ -115,7 +115,7 @@ TEST_CASE("Damaged scenes are read or refused, and never worse") {
   std::mt19937_64 random(20261122);
   int read = 0;
   int refused = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < 10000; ++round) {
     const std::string text = damaged(originals[random() % originals.size()], random);
     CAPTURE(round, text);
     bool fine = false;
@@ -123,8 +123,8 @@ TEST_CASE("Damaged scenes are read or refused, and never worse") {
     ++(fine ? read : refused);
   }
   // Both ways through the reader are tried often, or this test would show nothing.
-  CHECK(read > 1000);
-  CHECK(refused > 5000);
+  CHECK(read > 500);
+  CHECK(refused > 2500);
 }
 
 TEST_CASE("Settings of random keys and values are read or refused") {
@@ -150,7 +150,7 @@ TEST_CASE("Settings of random keys and values are read or refused") {
                                        "a..b",
                                        "grains.friction.x"};
   std::mt19937_64 random(5);
-  for (int round = 0; round < 5000; ++round) {
+  for (int round = 0; round < 3000; ++round) {
     std::vector<simulator::Override> overrides;
     for (std::size_t i = 0; i <= random() % 3; ++i) {
       std::string value = fragments[random() % fragments.size()];
