@@ -56,6 +56,7 @@ class EventEngine {
         calendar_(start.count()),
         events_(start.count()),
         generation_(start.count(), 0),
+        stray_(start.count(), 0),
         state_(start) {
     LeapfrogGrains<Physics> grains;
     grains.resize_to(count_);
@@ -125,6 +126,7 @@ class EventEngine {
   bool take_pair_in_one_stride(std::uint32_t i, std::uint32_t j, double t);
   bool take_base_in_one_stride(std::uint32_t i, double t);
   bool isolated(const IsolatedGrain<D>* members, std::size_t count, double t, double duration);
+  double largest_stray() const;
   void launch(std::uint32_t i, const Motion& motion, double t);
 
   // Grains on the grid.
@@ -158,6 +160,7 @@ class EventEngine {
   std::vector<std::uint32_t> generation_;  ///< raised whenever a grain's flight ends
   double fastest_flight_ = 0;
   std::vector<Ongoing> ongoing_;
+  std::vector<double> stray_;  ///< of grains in an ongoing contact: how far from their next flight
   FineContacts<Physics> fine_;
   std::vector<char> fresh_;                 ///< rows of fine_ about to touch
   std::vector<PairOfGrains> undone_pairs_;  ///< touching already when they came onto the grid

@@ -133,6 +133,13 @@ void EventEngine<Physics>::launch(std::uint32_t i, const Motion& motion, double 
 }
 
 template <class Physics>
+double EventEngine<Physics>::largest_stray() const {
+  double largest = 0;
+  for (const auto& contact : ongoing_) largest = std::max(largest, stray_[contact.i]);
+  return largest;
+}
+
+template <class Physics>
 bool EventEngine<Physics>::take_pair_in_one_stride(std::uint32_t i, std::uint32_t j, double t) {
   Ongoing contact{i, j, t, motion_of(i, t), motion_of(j, t), {}, 0, 0, 0};
   const auto& a = contact.before_i;
@@ -177,6 +184,7 @@ bool EventEngine<Physics>::take_pair_in_one_stride(std::uint32_t i, std::uint32_
   ++counters_.closed;
   launch(i, after.i, contact.end());
   launch(j, after.j, contact.end());
+  stray_[i] = stray_[j] = members[0].stray(duration);
   ongoing_.push_back(contact);
   predict(i, t);
   predict(j, t);
@@ -224,6 +232,7 @@ bool EventEngine<Physics>::take_base_in_one_stride(std::uint32_t i, double t) {
       std::max(ledger_.largest_overlap, closing_speed * base_contact_.normal().largest_overlap());
   ++counters_.closed;
   launch(i, after, contact.end());
+  stray_[i] = member.stray(duration);
   ongoing_.push_back(contact);
   predict(i, t);
   return true;
@@ -246,7 +255,7 @@ bool EventEngine<Physics>::isolated(const IsolatedGrain<D>* members, std::size_t
       if (now < reach + physics_.base.peak_velocity * duration) return false;
     }
   }
-  const double stray = ongoing_.empty() ? 0 : 2 * fastest_flight_ * duration;
+  const double stray = largest_stray();
   const double half_length = count == 2 ? grain_radius : 0;
   const double reach = half_length + 1 + (fastest + fastest_flight_) * duration + stray;
   find_flights_near(flights_, physics_.cell, middle, t, reach, near_);
@@ -265,7 +274,7 @@ bool EventEngine<Physics>::isolated(const IsolatedGrain<D>* members, std::size_t
     return true;
   };
   for (const auto k : near_) {
-    const double astray = flights_.valid_from[k] > t ? stray : 0;
+    const double astray = flights_.valid_from[k] > t ? stray_[k] : 0;
     if (!clear(k, flights_.position_at(k, t), flights_.velocity_at(k, t), astray)) return false;
   }
   for (std::size_t k = 0; k < fine_.count(); ++k) {

@@ -108,8 +108,7 @@ void EventEngine<Physics>::pull_in_neighbours(std::size_t k) {
   fine_.speed_cap[k] = cap;
   if (x[vertical] - grain_radius - physics_.base.amplitude < cap * window) fine_.near_base = true;
   // A grain in the middle of a closed contact may be elsewhere than its next flight says.
-  const double stray =
-      ongoing_.empty() ? 0 : 2 * fastest_flight_ * pair_contact_.normal().duration();
+  const double stray = largest_stray();
   find_flights_near(flights_, physics_.cell, x, t,
                     1 + 1.05 * (cap + fastest_flight_) * window + stray, near_);
   const auto near = near_;
@@ -119,7 +118,7 @@ void EventEngine<Physics>::pull_in_neighbours(std::size_t k) {
     for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);
     const bool in_contact = is_ongoing(j, t);
     const double speed = flights_.velocity_at(j, t).norm() + physics_.gravity * window;
-    const double reach = 1 + 1.05 * (cap + speed) * window + (in_contact ? stray : 0);
+    const double reach = 1 + 1.05 * (cap + speed) * window + (in_contact ? stray_[j] : 0);
     if (r.squaredNorm() > reach * reach) continue;
     if (in_contact) {
       undo(j);

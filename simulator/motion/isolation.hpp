@@ -18,6 +18,10 @@ struct IsolatedGrain {
   Vector<D> normal_change;
   Vector<D> tangential_change;
 
+  /// How far its path can stray from the flight it began with, or from the one it ends with.
+  double stray(double duration) const {
+    return 1.2 * (normal_change.norm() + tangential_change.norm()) * duration;
+  }
   double speed_bound() const {
     return v.norm() + 1.2 * (normal_change.norm() + tangential_change.norm());
   }
