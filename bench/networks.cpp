@@ -7,7 +7,7 @@
 #include <new>
 
 #include "fitting/networks/analysis.hpp"
-#include "packing.hpp"
+#include "tests/networks/packing.hpp"
 
 // Speed and memory of the networks room against the number of grains: made-up beds of Sun's height
 // and density (tests/networks/packing.hpp), the cylinder wider for more grains, four of them flying

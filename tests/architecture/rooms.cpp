@@ -6,8 +6,10 @@ const std::vector<Room>& rooms() {
   // Headers with nothing to link, which rooms that must not link the simulator share with it.
   static const std::string record = "simulator/record.hpp";
   static const std::string scene = "simulator/scene/scene.hpp";
-  // Not the cache, and not HDF5 itself: a fit reads what is collected and writes no run.
+  // Not the cache, and not HDF5 itself: a fit reads what is collected and writes no run; networks
+  // read snapshots through the store's layer.
   static const std::string store_reading = "sweeps/store/run_file.hpp";
+  static const std::string store_snapshots = "sweeps/store/hdf5.hpp";
   static const std::vector<Room> table = {
       {.folder = "files/", .ours = {"files/"}, .packages = {"yaml-cpp/"}, .posix = true},
       {.folder = "simulator/",
@@ -27,7 +29,7 @@ const std::vector<Room>& rooms() {
        .packages = {"gsl/", "Eigen/"},
        .posix = false},
       {.folder = "fitting/networks/",
-       .ours = {"files/", "fitting/", store_reading, record},
+       .ours = {"files/", "fitting/", store_reading, store_snapshots, record},
        .packages = {"gsl/", "Eigen/", "boost/", "nanoflann.hpp"},
        .posix = false},
       {.folder = "figures/",
@@ -40,8 +42,8 @@ const std::vector<Room>& rooms() {
        .posix = true},
       {.folder = "tests/", .ours = {""}, .packages = {""}, .posix = true},
       {.folder = "bench/",
-       .ours = {"files/", "simulator/", "sweeps/", "fitting/", "bench/"},
-       .packages = {"benchmark/"},
+       .ours = {"files/", "simulator/", "sweeps/", "fitting/", "bench/", "tests/"},
+       .packages = {"benchmark/", "malloc.h"},
        .posix = true},
   };
   return table;

@@ -110,6 +110,7 @@ TEST_CASE("the include rules see a planted violation") {
       {"fitting/peak.cpp", "\"sweeps/ensemble.hpp\""},
       {"fitting/peak.cpp", "<hdf5.h>"},
       {"fitting/peak.cpp", "\"sweeps/store/cache.hpp\""},
+      {"fitting/peak.cpp", "\"sweeps/store/hdf5.hpp\""},
       {"fitting/networks/snapshot.cpp", "<hdf5.h>"},
       {"figures/report.cpp", "\"simulator/record.hpp\""},
       {"figures/report.cpp", "<gsl/gsl_fit.h>"},
@@ -124,8 +125,8 @@ TEST_CASE("the include rules see a planted violation") {
   for (const auto& planted : violations) {
     CAPTURE(planted.path, planted.include);
     auto tree = good_tree();
-    for (const char* other :
-         {"simulator/simulate.hpp", "sweeps/ensemble.hpp", "tests/helper.hpp"}) {
+    for (const char* other : {"simulator/simulate.hpp", "sweeps/ensemble.hpp", "tests/helper.hpp",
+                              "sweeps/store/hdf5.hpp"}) {
       tree.push_back({other, ""});
     }
     tree.push_back({planted.path, "\n  #  include " + planted.include + "  // why\n"});

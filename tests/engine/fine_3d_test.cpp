@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "beds.hpp"
 #include "simulator/contact/frictionless.hpp"
 #include "simulator/contact/viscous_coulomb.hpp"
+#include "tests/engine/beds.hpp"
 
 namespace shakebed::simulator {
 namespace {

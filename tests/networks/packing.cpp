@@ -1,4 +1,4 @@
-#include "packing.hpp"
+#include "tests/networks/packing.hpp"
 
 #include <algorithm>
 #include <cmath>

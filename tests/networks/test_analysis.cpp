@@ -3,7 +3,7 @@
 
 #include "fitting/networks/analysis.hpp"
 #include "fitting/networks/tables.hpp"
-#include "packing.hpp"
+#include "tests/networks/packing.hpp"
 
 using namespace shakebed::tests;
 using namespace shakebed::fitting::networks;

@@ -3,7 +3,7 @@
 
 #include "fitting/networks/components.hpp"
 #include "fitting/networks/extent.hpp"
-#include "packing.hpp"
+#include "tests/networks/packing.hpp"
 
 using namespace shakebed::tests;
 using namespace shakebed::fitting::networks;

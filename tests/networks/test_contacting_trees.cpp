@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "fitting/networks/contacting_trees.hpp"
-#include "oracle.hpp"
-#include "packing.hpp"
+#include "tests/networks/oracle.hpp"
+#include "tests/networks/packing.hpp"
 
 using namespace shakebed::tests;
 using namespace shakebed::fitting::networks;

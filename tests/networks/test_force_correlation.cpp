@@ -5,7 +5,7 @@
 #include "files/error.hpp"
 #include "fitting/networks/analysis.hpp"
 #include "fitting/networks/force_correlation.hpp"
-#include "packing.hpp"
+#include "tests/networks/packing.hpp"
 
 using namespace shakebed::tests;
 using namespace shakebed::fitting::networks;

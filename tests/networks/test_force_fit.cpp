@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "fitting/networks/force_fit.hpp"
-#include "packing.hpp"
+#include "tests/networks/packing.hpp"
 
 using namespace shakebed::tests;
 using namespace shakebed::fitting::networks;

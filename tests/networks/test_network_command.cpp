@@ -9,7 +9,7 @@
 #include "files/csv.hpp"
 #include "files/error.hpp"
 #include "fitting/networks/analysis.hpp"
-#include "packing.hpp"
+#include "tests/networks/packing.hpp"
 
 using namespace shakebed::tests;
 namespace networks = shakebed::fitting::networks;

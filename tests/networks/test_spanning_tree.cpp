@@ -4,8 +4,8 @@
 
 #include "files/error.hpp"
 #include "fitting/networks/spanning_tree.hpp"
-#include "oracle.hpp"
-#include "packing.hpp"
+#include "tests/networks/oracle.hpp"
+#include "tests/networks/packing.hpp"
 
 using namespace shakebed::tests;
 using shakebed::fitting::networks::spanning_trees;
