@@ -37,7 +37,7 @@ set ytics auto
 set yrange [0:*]
 set xlabel '{/:Italic W} = {/:Italic V}_p^2 / ({/:Italic d g})'
 set ylabel '2{/:Italic T}_z / ({/:Italic m V}_p^2),   {/:Italic T}_z by Eq. (5)' offset 0.3
-set key at graph 0.985, 0.04 right bottom Left reverse font ',11.5' samplen 1.5
+set key at graph 0.985, 0.04 right bottom Left reverse font ',10.5' samplen 1
 plot for [s = 1:4] points using (steady(s, column(points_W))):(column(points_T_z_twice_scaled)):(column(points_T_z_twice_scaled_se)) \
        with yerrorlines pointtype filled[s] pointsize 0.7 linecolor rgb colours[s] linewidth 1.2 title systems[s], \
      for [s = 1:4] points using (marked(s, column(points_W))):(column(points_T_z_twice_scaled)):(column(points_T_z_twice_scaled_se)) \
