@@ -14,10 +14,11 @@
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/simulate.hpp"
 
-// Engines side by side on the rough bed of 100 grains in three dimensions: e = 0.9, mu = 0.4,
-// c_t = c_n, dt = t_c/50, k_n = clamp(4e4 W, 1e5, 1e6), observables sampled as in production. The
-// contestants take turns; what is compared is CPU time per grain and step of the measured cycles,
-// in each turn over that of the uniform engine, and the median over turns.
+// Engines side by side on Bhateja's rough beds, 100 grains in three dimensions or 40 in two:
+// e = 0.9, mu = 0.4, c_t = c_n, dt = t_c/50, k_n = clamp(4e4 W, 1e5, 1e6), observables sampled as
+// in production. The contestants take turns; what is compared is CPU time per grain and step of the
+// measured cycles (an engine that skips steps is charged for those it stands for), in each turn
+// over that of the uniform engine, and the median over turns.
 namespace {
 
 using namespace shakebed;
@@ -26,7 +27,15 @@ struct Options {
   int turns = 5;
   double scale = 1;  ///< of the cycles measured
   std::string deck_writer = "shakebed";
-  std::vector<double> W = {1.5, 5.6, 22.36, 89.43};
+  std::vector<int> dimensions = {3, 2};
+  std::vector<double> W;  ///< empty: those of each dimension's table
+};
+
+/// One bed of the table.
+struct Bed {
+  int dimension;
+  double W;
+  std::uint64_t seed;
 };
 
 struct Timed {
@@ -36,7 +45,7 @@ struct Timed {
 
 struct Contestant {
   std::string name;
-  std::function<Timed(const simulator::Scene&)> run;
+  std::function<Timed(const Bed&, long cycles)> run;
   std::vector<Timed> turns = {};
 };
 
@@ -47,26 +56,41 @@ Timed timed(double cpu_seconds, long cycles, const simulator::Scene& scene) {
   return {1e9 * cpu_seconds / grain_steps, 1000 * cpu_seconds / static_cast<double>(cycles)};
 }
 
-std::vector<std::string> settings(double W, long cycles, std::uint64_t seed) {
+std::vector<std::string> settings(const Bed& bed, long cycles) {
   using files::number_text;
-  return {"base.drive.W=" + number_text(W),
-          "contact.stiffness=" + number_text(std::clamp(4e4 * W, 1e5, 1e6)),
-          "protocol.measure.cycles=" + std::to_string(cycles), "seed=" + std::to_string(seed)};
+  return {"dimension=" + std::to_string(bed.dimension),
+          bed.dimension == 2 ? "cell=[10]" : "cell=[5,5]",
+          "base.drive.W=" + number_text(bed.W),
+          "contact.stiffness=" + number_text(std::clamp(4e4 * bed.W, 1e5, 1e6)),
+          "protocol.measure.cycles=" + std::to_string(cycles),
+          "seed=" + std::to_string(bed.seed)};
 }
 
-simulator::Scene bed(double W, long cycles, std::uint64_t seed) {
+simulator::Scene scene_of(const Bed& bed, long cycles) {
   std::vector<simulator::Override> overrides;
-  for (const auto& setting : settings(W, cycles, seed)) {
+  for (const auto& setting : settings(bed, cycles)) {
     const auto equals = setting.find('=');
     overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
   }
   return simulator::read_scene(SHAKEBED_ROUGH_BED, overrides);
 }
 
-Timed ours(simulator::Scene scene, simulator::Engine engine) {
-  scene.protocol.engine = engine;
+Timed ours(const simulator::Scene& scene) {
   const auto record = simulator::simulate(scene);
   return timed(record.timing.cpu_seconds_measuring, *scene.protocol.cycles, scene);
+}
+
+Timed uniform(const Bed& bed, long cycles) {
+  auto scene = scene_of(bed, cycles);
+  scene.protocol.engine = simulator::Engine::uniform;
+  return ours(scene);
+}
+
+Timed events(const Bed& bed, long cycles, simulator::ContactOperator contacts) {
+  auto scene = scene_of(bed, 4 * cycles);  // they are the fast ones
+  scene.protocol.engine = simulator::Engine::events;
+  scene.protocol.contacts = contacts;
+  return ours(scene);
 }
 
 std::string output_of(const std::string& command) {
@@ -79,11 +103,11 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
-Timed lammps(const simulator::Scene& scene, const std::string& deck_writer) {
-  const long cycles = std::max(2L, *scene.protocol.cycles / 8);  // it is the slow one
+Timed lammps(const Bed& bed, long cycles, const std::string& deck_writer) {
+  cycles = std::max(2L, cycles / 8);  // it is the slow one
+  const auto scene = scene_of(bed, cycles);
   std::string command = "'" + deck_writer + "' export '" SHAKEBED_ROUGH_BED "'";
-  for (const auto& setting : settings(scene.W(), cycles, scene.seed))
-    command += " --set " + setting;
+  for (const auto& setting : settings(bed, cycles)) command += " --set '" + setting + "'";
   const long steps = simulator::bind_parameters(scene).steps_per_cycle;
   return timed(bench::lammps_cpu_seconds(output_of(command), steps), cycles, scene);
 }
@@ -100,14 +124,14 @@ std::vector<double> each(const std::vector<Timed>& turns, double Timed::*member)
   return values;
 }
 
-void print_row(double W, const Contestant& baseline, const Contestant& contestant) {
+void print_row(const Bed& bed, const Contestant& baseline, const Contestant& contestant) {
   std::vector<double> ratios;
   for (std::size_t t = 0; t < contestant.turns.size(); ++t) {
     ratios.push_back(contestant.turns[t].nanoseconds / baseline.turns[t].nanoseconds);
   }
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  std::printf("%7.4g  %-10s %10.3g %14.3g %12.3g   (%.3g ... %.3g)\n", W, contestant.name.c_str(),
-              median(each(contestant.turns, &Timed::nanoseconds)),
+  std::printf("%dD %7.4g  %-10s %10.3g %14.3g %12.3g   (%.3g ... %.3g)\n", bed.dimension, bed.W,
+              contestant.name.c_str(), median(each(contestant.turns, &Timed::nanoseconds)),
               median(each(contestant.turns, &Timed::thousand)), median(ratios), *least, *most);
   std::fflush(stdout);
 }
@@ -118,22 +142,31 @@ long cycles_at(double W, double scale) {
   return std::max(8L, static_cast<long>(wanted * scale));
 }
 
-void compare(double W, const Options& options, std::vector<Contestant> contestants) {
+void compare(Bed bed, const Options& options, std::vector<Contestant> contestants) {
+  const long cycles = cycles_at(bed.W, options.scale);
   for (int turn = 0; turn < options.turns; ++turn) {
-    const auto scene = bed(W, cycles_at(W, options.scale), static_cast<std::uint64_t>(turn) + 1);
-    for (auto& contestant : contestants) contestant.turns.push_back(contestant.run(scene));
+    bed.seed = static_cast<std::uint64_t>(turn) + 1;
+    for (auto& contestant : contestants) contestant.turns.push_back(contestant.run(bed, cycles));
   }
-  for (const auto& contestant : contestants) print_row(W, contestants.front(), contestant);
+  for (const auto& contestant : contestants) print_row(bed, contestants.front(), contestant);
+}
+
+std::vector<double> table_of(int dimension) {
+  if (dimension == 2) return {22.36, 89.43};
+  return {1.5, 2, 5.6, 22.36, 89.43};
 }
 
 std::vector<Contestant> contestants_for(const Options& options) {
-  using simulator::Engine;
-  std::vector<Contestant> all = {
-      {"uniform", [](const simulator::Scene& scene) { return ours(scene, Engine::uniform); }},
-      {"auto", [](const simulator::Scene& scene) { return ours(scene, Engine::automatic); }}};
+  using simulator::ContactOperator;
+  const auto with = [](ContactOperator contacts) {
+    return [contacts](const Bed& bed, long cycles) { return events(bed, cycles, contacts); };
+  };
+  std::vector<Contestant> all = {{"uniform", uniform},
+                                 {"fine", with(ContactOperator::fine)},
+                                 {"closed", with(ContactOperator::closed)}};
   if (bench::lammps_is_here()) {
-    all.push_back({"LAMMPS", [&options](const simulator::Scene& scene) {
-                     return lammps(scene, options.deck_writer);
+    all.push_back({"LAMMPS", [&options](const Bed& bed, long cycles) {
+                     return lammps(bed, cycles, options.deck_writer);
                    }});
   } else {
     std::printf("LAMMPS is left out: no lmp on PATH (make deps-oracle installs it).\n");
@@ -143,12 +176,12 @@ std::vector<Contestant> contestants_for(const Options& options) {
 
 [[noreturn]] void usage(const std::string& fault) {
   throw files::bad_input(fault,
-                         "usage: engine [--turns N] [--scale X] [--shakebed PROGRAM] [W ...]");
+                         "usage: engine [--turns N] [--scale X] [--dimension 2|3] "
+                         "[--shakebed PROGRAM] [W ...]");
 }
 
 Options read_options(int argc, char** argv) {
   Options options;
-  std::vector<double> W;
   const auto number = [](const std::string& word) {
     char* end = nullptr;
     const double value = std::strtod(word.c_str(), &end);
@@ -158,7 +191,7 @@ Options read_options(int argc, char** argv) {
   for (int a = 1; a < argc; ++a) {
     const std::string word = argv[a];
     if (!word.starts_with("--")) {
-      W.push_back(number(word));
+      options.W.push_back(number(word));
       continue;
     }
     if (a + 1 == argc) usage(word);
@@ -167,27 +200,31 @@ Options read_options(int argc, char** argv) {
       options.turns = std::max(1, static_cast<int>(number(value)));
     } else if (word == "--scale") {
       options.scale = number(value);
+    } else if (word == "--dimension") {
+      if (value != "2" && value != "3") usage(value);
+      options.dimensions = {value == "2" ? 2 : 3};
     } else if (word == "--shakebed") {
       options.deck_writer = value;
     } else {
       usage(word);
     }
   }
-  if (!W.empty()) options.W = W;
   return options;
 }
 
 void print_head(const Options& options) {
   std::printf(
-      "3D rough bed, 100 grains, dt = t_c/50, k_n = clamp(4e4 W, 1e5, 1e6) m g/d; %d turns.\n",
+      "Rough beds, 100 grains (3D) or 40 (2D), dt = t_c/50, k_n = clamp(4e4 W, 1e5, 1e6) m g/d; %d "
+      "turns.\n",
       options.turns);
   std::printf(
-      "Ours: %s, for %s. LAMMPS: the machine's package; Debian's is built for any x86-64,\n"
-      "so that a LAMMPS built for this machine would be faster.\n\n",
+      "Ours: %s, for %s.\n"
+      "LAMMPS: the package of this machine. Debian's is built for any x86-64; one built for this\n"
+      "machine would be faster.\n\n",
       std::string(files::compiler_flags()).c_str(), std::string(files::machine()).c_str());
-  std::printf("%7s  %-10s %10s %14s %12s   %s\n", "W", "", "ns/grain/", "s per 1000", "over",
+  std::printf("   %7s  %-10s %10s %14s %12s   %s\n", "W", "", "ns/grain/", "s per 1000", "over",
               "(least ... most");
-  std::printf("%7s  %-10s %10s %14s %12s   %s\n", "", "", "step", "cycles", "uniform",
+  std::printf("   %7s  %-10s %10s %14s %12s   %s\n", "", "", "step", "cycles", "uniform",
               " of the turns)");
 }
 
@@ -198,7 +235,11 @@ int main(int argc, char** argv) {
     const Options options = read_options(argc, argv);
     const auto contestants = contestants_for(options);
     print_head(options);
-    for (const double W : options.W) compare(W, options, contestants);
+    for (const int dimension : options.dimensions) {
+      for (const double W : options.W.empty() ? table_of(dimension) : options.W) {
+        compare({dimension, W, 1}, options, contestants);
+      }
+    }
     return 0;
   } catch (const files::Error& error) {
     std::fprintf(stderr, "engine: %s\n", error.what());

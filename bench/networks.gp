@@ -13,7 +13,7 @@ set ylabel "CPU time [ms]"
 plot stem("everything") using 1:4 with linespoints title "everything, 5 passes", \
      stem("five_trees") using 1:4 with linespoints title "5 spanning trees", \
      stem("force_networks") using 1:4 with linespoints title "force networks", \
-     x*350./7601 with lines dashtype 2 linecolor "gray" title "linear", \
+     x*274./7601 with lines dashtype 2 linecolor "gray" title "linear", \
      500 with lines dashtype 3 linecolor "gray" title "0.5 s"
 set ylabel "peak memory [bytes per grain]"
 unset logscale y
