@@ -12,7 +12,8 @@ namespace shakebed::fitting::networks {
 ///
 /// nanoflann builds such trees too, but neither shows a node's box nor lets a search leave out a
 /// whole branch by what its points are; the spanning tree needs both (a branch that lies in one
-/// component holds no foreign grain) and so does the search for the farthest pair.
+/// component holds no foreign grain) and so does the search for the farthest pair. F(r) uses it
+/// too, for its points lie in tree order.
 ///
 /// Bounds hold in floating point, not only on paper: a box side and a coordinate inside it are
 /// subtracted, squared and summed in the same order as two coordinates in `squared_distance`, and

@@ -1,9 +1,9 @@
 #include "fitting/networks/force_correlation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <nanoflann.hpp>
 
 #include "files/error.hpp"
 #include "fitting/networks/box_tree.hpp"
@@ -14,65 +14,92 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// What nanoflann asks of a data set.
+/// Contacts in the order of a k-d tree, coordinate by coordinate: neighbours lie side by side.
 struct Cloud {
-  std::vector<PlacedForce> contacts;
-  std::size_t kdtree_get_point_count() const { return contacts.size(); }
-  double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-    return contacts[index].midpoint[axis];
+  explicit Cloud(std::span<const PlacedForce> contacts) : tree(midpoints(contacts)) {
+    for (const Index k : tree.order()) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        place[axis].push_back(contacts[k].midpoint[axis]);
+      }
+      f.push_back(contacts[k].f);
+      first_set.push_back(contacts[k].first_set);
+    }
   }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
+  static std::vector<Point> midpoints(std::span<const PlacedForce> contacts) {
+    std::vector<Point> places;
+    for (const auto& contact : contacts) places.push_back(contact.midpoint);
+    return places;
   }
+
+  BoxTree tree;
+  std::array<std::vector<double>, 3> place;
+  std::vector<double> f;
+  std::vector<int> first_set;
 };
 
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3>;
-
-/// A result set of nanoflann that bins neighbours instead of listing them.
+/// Sorts the neighbours of one contact after another into bins of distance.
 class Neighbours {
  public:
-  using DistanceType = double;
-
-  Neighbours(const Cloud& cloud, int sets, std::size_t bins, double bin_width)
-      : cloud_(cloud),
-        bins_(bins),
-        per_width_(1 / bin_width),
-        squared_reach_(bin_width * static_cast<double>(bins) * bin_width *
-                       static_cast<double>(bins)),
-        cells_(static_cast<std::size_t>(sets) * bins) {}
-
-  void clear(std::size_t self) {
-    self_ = self;
-    std::ranges::fill(cells_, Cell{});
-  }
-  bool addPoint(double squared, std::size_t index) {
-    const auto bin = static_cast<std::size_t>(std::sqrt(squared) * per_width_);
-    if (index == self_ || bin >= bins_) return true;
-    const PlacedForce& other = cloud_.contacts[index];
-    const std::size_t at = static_cast<std::size_t>(other.first_set) * bins_ + bin;
-    cells_[at].count += 1;
-    cells_[at].force += other.f;
-    return true;
-  }
-  double worstDist() const { return squared_reach_; }
-  bool full() const { return true; }
-  std::size_t size() const { return 0; }
-
-  /// Neighbours that belong to `set` first, and the sum of their f.
+  /// Neighbours that belong to a set first, and the sum of their f.
   struct Cell {
     double count = 0;
     double force = 0;
   };
+
+  Neighbours(const Cloud& cloud, std::size_t sets, std::size_t bins, double bin_width)
+      : cloud_(cloud),
+        bins_(bins),
+        per_width_(1 / bin_width),
+        squared_reach_(std::pow(bin_width * static_cast<double>(bins), 2)),
+        cells_(sets * bins) {}
+
   const Cell& cell(std::size_t set, std::size_t bin) const { return cells_[set * bins_ + bin]; }
 
+  void look_around(Index self) {
+    self_ = self;
+    std::ranges::fill(cells_, Cell{});
+    descend(0);
+  }
+
  private:
+  /// Small enough to keep most of a block within reach, long enough for vector arithmetic.
+  static constexpr Index block = 64;
+
+  void descend(Index n) {
+    const auto& node = cloud_.tree.nodes()[n];
+    if (near(node, cloud_.tree.point(self_)) >= squared_reach_) return;
+    if (node.leaf() || node.end - node.begin <= block) {
+      sort_into_bins(node.begin, node.end);
+    } else {
+      descend(node.left);
+      descend(node.right);
+    }
+  }
+
+  void sort_into_bins(Index begin, Index end) {
+    const Point& here = cloud_.tree.point(self_);
+    const auto& [x, y, z] = cloud_.place;
+    const double too_far = 4 * squared_reach_;  // a bound that an int can hold after division
+    std::array<int, block> bin;
+    for (Index k = begin; k < end; ++k) {
+      const double dx = x[k] - here[0], dy = y[k] - here[1], dz = z[k] - here[2];
+      const double squared = std::min(dx * dx + dy * dy + dz * dz, too_far);
+      bin[k - begin] = static_cast<int>(std::sqrt(squared) * per_width_);
+    }
+    for (Index k = begin; k < end; ++k) {
+      const auto at = static_cast<std::size_t>(bin[k - begin]);
+      if (at >= bins_ || k == self_) continue;
+      Cell& cell = cells_[static_cast<std::size_t>(cloud_.first_set[k]) * bins_ + at];
+      cell.count += 1;
+      cell.force += cloud_.f[k];
+    }
+  }
+
   const Cloud& cloud_;
   std::size_t bins_;
   double per_width_;
   double squared_reach_;
-  std::size_t self_ = 0;
+  Index self_ = 0;
   std::vector<Cell> cells_;
 };
 
@@ -82,43 +109,30 @@ struct Sums {
   double contacts = 0, f = 0, squared_f = 0;
 };
 
-/// Contacts in k-d order, so that a search and its neighbours are near each other in memory.
-Cloud in_tree_order(std::span<const PlacedForce> contacts) {
-  std::vector<Point> midpoints;
-  for (const auto& contact : contacts) midpoints.push_back(contact.midpoint);
-  const BoxTree tree(midpoints);
-  Cloud cloud;
-  for (const Index k : tree.order()) cloud.contacts.push_back(contacts[k]);
-  return cloud;
-}
-
 std::vector<Sums> all_pairs(const Cloud& cloud, std::size_t sets, std::size_t bins,
                             double bin_width) {
   const std::vector<double> zero(bins, 0.0);
   std::vector<Sums> sums(sets, Sums{zero, zero, zero});
-  if (cloud.contacts.empty()) return sums;
-  constexpr std::size_t leaf = 64;  // most neighbours are within reach: fewer nodes, longer loops
-  Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf));
-  Neighbours neighbours(cloud, static_cast<int>(sets), bins, bin_width);
-  for (std::size_t self = 0; self < cloud.contacts.size(); ++self) {
-    const PlacedForce& contact = cloud.contacts[self];
-    neighbours.clear(self);
-    tree.findNeighbors(neighbours, contact.midpoint.data(), nanoflann::SearchParams());
+  Neighbours neighbours(cloud, sets, bins, bin_width);
+  for (Index self = 0; self < cloud.f.size(); ++self) {
+    const double f = cloud.f[self];
+    const auto first_set = static_cast<std::size_t>(cloud.first_set[self]);
+    neighbours.look_around(self);
     for (std::size_t bin = 0; bin < bins; ++bin) {
       double count = 0, force = 0;
       for (std::size_t set = 0; set < sets; ++set) {
         count += neighbours.cell(set, bin).count;
         force += neighbours.cell(set, bin).force;
-        if (static_cast<int>(set) < contact.first_set) continue;
+        if (set < first_set) continue;
         sums[set].pairs[bin] += count;
-        sums[set].forces[bin] += contact.f * force;
+        sums[set].forces[bin] += f * force;
         sums[set].squared_neighbours[bin] += count * count;
       }
     }
-    for (auto set = static_cast<std::size_t>(contact.first_set); set < sets; ++set) {
+    for (std::size_t set = first_set; set < sets; ++set) {
       sums[set].contacts += 1;
-      sums[set].f += contact.f;
-      sums[set].squared_f += contact.f * contact.f;
+      sums[set].f += f;
+      sums[set].squared_f += f * f;
     }
   }
   return sums;
@@ -151,8 +165,7 @@ std::size_t number_of_bins(double bin_width, double reach) {
 std::vector<ForceCorrelation> force_correlations(std::span<const PlacedForce> contacts, int sets,
                                                  double bin_width, double reach) {
   const std::size_t bins = number_of_bins(bin_width, reach);
-  const auto sums =
-      all_pairs(in_tree_order(contacts), static_cast<std::size_t>(sets), bins, bin_width);
+  const auto sums = all_pairs(Cloud(contacts), static_cast<std::size_t>(sets), bins, bin_width);
   std::vector<ForceCorrelation> found;
   for (const Sums& set : sums) {
     ForceCorrelation correlation;

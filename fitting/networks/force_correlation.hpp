@@ -33,9 +33,9 @@ struct ForceCorrelation {
   double r(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * bin_width; }
 };
 
-/// F(r) up to r = reach of `sets` nested sets at once, all pairs counted in one k-d tree search
-/// (nanoflann). Throws files::Error(bad_input) for a width or reach that is not a positive number,
-/// or for more than 10,000 bins.
+/// F(r) up to r = reach of `sets` nested sets at once, every pair counted once in a k-d tree.
+/// Throws files::Error(bad_input) for a width or reach that is not a positive number, or for more
+/// than 10,000 bins.
 std::vector<ForceCorrelation> force_correlations(std::span<const PlacedForce> contacts, int sets,
                                                  double bin_width, double reach);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <span>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "fitting/networks/box_tree.hpp"
@@ -13,7 +13,9 @@ struct WeightedPair {
   double squared_weight;
   Index i;
   Index j;  ///< i < j
-  auto operator<=>(const WeightedPair&) const = default;
+  bool operator<(const WeightedPair& other) const {
+    return std::tie(squared_weight, i, j) < std::tie(other.squared_weight, other.i, other.j);
+  }
 };
 
 /// Pairs that a search must not return, as sorted neighbours of each point.
