@@ -1,5 +1,6 @@
 #include "simulator/observables/measurement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -194,7 +195,8 @@ template <int D>
 void Measurement<D>::check_ledger(Record& record, const EnergyLedger& ledger,
                                   double residual) const {
   constexpr double tolerated = 0.02;  // t_c/10 leaves about 1 %
-  if (record.at_rest || std::abs(residual) <= tolerated * std::max(ledger.dissipation, 1.0)) return;
+  const double turned_over = std::max({ledger.dissipation, std::abs(ledger.base_work), 1.0});
+  if (record.at_rest || std::abs(residual) <= tolerated * turned_over) return;
   record.stationary = false;
   record.stationary_reason = formatted(
       "the energy ledger is open by %.3g m g d of %.3g dissipated: the time step is too "
