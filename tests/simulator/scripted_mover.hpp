@@ -18,6 +18,7 @@ class ScriptedMover {
     double height = 1;
     double base_power = 0;
     double dissipation_power = 0;
+    double leak = 0;  ///< power that no ledger sees
   };
   using Script = std::function<Motion(long cycle, double phase)>;
 
@@ -30,8 +31,10 @@ class ScriptedMover {
 
   void advance(long steps) {
     const Motion motion = now();
-    ledger_.base_work += motion.base_power * static_cast<double>(steps) * time_step_;
-    ledger_.dissipation += motion.dissipation_power * static_cast<double>(steps) * time_step_;
+    const double time = static_cast<double>(steps) * time_step_;
+    ledger_.base_work += motion.base_power * time;
+    ledger_.dissipation += motion.dissipation_power * time;
+    energy_ += (motion.base_power - motion.dissipation_power - motion.leak) * time;
     step_ += steps;
   }
   const simulator::Grains<D, false>& synchronised() {
@@ -42,7 +45,7 @@ class ScriptedMover {
     return grains_;
   }
   simulator::EnergyLedger& ledger() { return ledger_; }
-  double energy() { return 0; }
+  double energy() { return energy_; }
 
   const std::vector<long>& asked() const { return asked_; }  ///< steps at which it was looked at
 
@@ -57,6 +60,7 @@ class ScriptedMover {
   double time_step_;
   Script script_;
   long step_ = 0;
+  double energy_ = 0;
   simulator::Grains<D, false> grains_;
   simulator::EnergyLedger ledger_;
   std::vector<long> asked_;
@@ -85,10 +89,11 @@ simulator::Record measure_script(const simulator::Scene& scene,
   simulator::Protocol<ScriptedMover<D>, D> protocol(scene, parameters, mover, control);
   simulator::Measurement<D> measurement(scene, 0);
   protocol.discard();
-  mover.ledger() = {};
+  protocol.open_books();
   protocol.measure(measurement);
   simulator::Record record;
-  measurement.write(record, mover.ledger(), 0);
+  record.scalars.push_back({"transient", "cycles", static_cast<double>(protocol.discarded())});
+  measurement.write(record, mover.ledger(), protocol.energy_change());
   if (asked) *asked = mover.asked();
   return record;
 }
