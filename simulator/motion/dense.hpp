@@ -94,29 +94,44 @@ class DenseStepper {
       base_touched_[i] = step_;
       ++touching_;
     }
-    find_touching();
-    for (std::size_t n = 0; n < now_touching_.size(); ++n) {
-      const auto& [k, r, rr] = now_touching_[n];
-      grains_.touch_pair(physics_, outer_[k].i, outer_[k].j, r, rr, touched_[k] != step_ - 1,
-                         ledger);
-      touched_[k] = step_;
+    for (std::size_t n = 0; n < touching_pairs_.size();) {
+      if (touch_if_near(touching_pairs_[n], ledger)) [[likely]] {
+        ++n;
+      } else {
+        move_pair(touching_pairs_, n, candidates_);
+      }
     }
-    touching_ += static_cast<long>(now_touching_.size());
+    touching_ += static_cast<long>(touching_pairs_.size());
+    for (std::size_t n = 0; n < candidates_.size();) {
+      if (touch_if_near(candidates_[n], ledger)) [[unlikely]] {
+        move_pair(candidates_, n, touching_pairs_);
+        ++touching_;
+      } else {
+        ++n;
+      }
+    }
   }
 
-  /// Apart from the forces, and without a branch: whether a pair touches cannot be predicted, and a
-  /// wrong guess costs as much as the force.
-  void find_touching() {
-    now_touching_.resize(inner_.size() + 1);
-    std::size_t found = 0;
-    for (const auto k : inner_) {
-      auto& next = now_touching_[found];
-      next.k = k;
-      next.r = separation(outer_[k]);
-      next.rr = next.r.squaredNorm();
-      found += next.rr < 4 * grain_radius * grain_radius ? 1 : 0;
-    }
-    now_touching_.resize(found);
+  /// A pair of the inner list, with its own copy of what the outer list knows.
+  struct InnerPair {
+    NeighbourPair<D> pair;
+    std::uint32_t k;  ///< in outer_
+  };
+
+  bool touch_if_near(const InnerPair& inner, EnergyLedger& ledger) {
+    const Vector<D> r = separation(inner.pair);
+    const double rr = r.squaredNorm();
+    if (rr >= 4 * grain_radius * grain_radius) return false;
+    long& touched = touched_[inner.k];
+    grains_.touch_pair(physics_, inner.pair.i, inner.pair.j, r, rr, touched != step_ - 1, ledger);
+    touched = step_;
+    return true;
+  }
+
+  static void move_pair(std::vector<InnerPair>& from, std::size_t n, std::vector<InnerPair>& to) {
+    to.push_back(from[n]);
+    from[n] = from.back();
+    from.pop_back();
   }
 
   Vector<D> separation(const NeighbourPair<D>& pair) const {
@@ -181,11 +196,13 @@ class DenseStepper {
       const double gap = grains_.position[vertical][i] - grain_radius - physics_.base.amplitude;
       if (gap < caps_[i] * window) near_base_.push_back(i);
     }
-    inner_.clear();
+    touching_pairs_.clear();
+    candidates_.clear();
     for (std::uint32_t k = 0; k < outer_.size(); ++k) {
       const double reach =
           2 * grain_radius + 1.05 * window * (caps_[outer_[k].i] + caps_[outer_[k].j]);
-      if (separation(outer_[k]).squaredNorm() < reach * reach) inner_.push_back(k);
+      if (separation(outer_[k]).squaredNorm() >= reach * reach) continue;
+      (touched_[k] == step_ ? touching_pairs_ : candidates_).push_back({outer_[k], k});
     }
     inner_valid_until_ = step_ + inner_window;
   }
@@ -204,13 +221,10 @@ class DenseStepper {
   long touching_ = 0;
   std::vector<NeighbourPair<D>> outer_;
   std::vector<long> touched_;  ///< the last step at which the outer pair touched
-  std::vector<std::uint32_t> inner_;
-  struct Touching {
-    std::uint32_t k;  ///< in outer_
-    Vector<D> r;
-    double rr;
-  };
-  std::vector<Touching> now_touching_;
+  // Whether a pair touches cannot be predicted in one mixed list, and a wrong guess costs as much
+  // as the force; a contact lasts some fifty steps, so that in lists kept apart it can.
+  std::vector<InnerPair> touching_pairs_;
+  std::vector<InnerPair> candidates_;
   std::vector<std::uint32_t> near_base_;
   std::vector<long> base_touched_;
   std::vector<double> caps_;

@@ -136,6 +136,7 @@ class EventEngine {
   void regroup();
   void pull_in_neighbours(std::size_t k);
   bool is_ongoing(std::uint32_t grain, double t) const;
+  bool near_ongoing(std::size_t k) const;
   void undo(std::uint32_t grain);
 
   // Hand-over between events and the dense stepper.

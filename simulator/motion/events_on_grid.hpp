@@ -55,7 +55,7 @@ void EventEngine<Physics>::regroup() {
   std::vector<std::uint32_t> stay;
   released_.clear();
   for (std::uint32_t k = 0; k < fine_.count(); ++k) {
-    if (core[k] || fine_.base_touched[k] == step_) {
+    if (core[k] || fine_.base_touched[k] == step_ || near_ongoing(k)) {
       stay.push_back(k);
       continue;
     }
@@ -136,6 +136,27 @@ template <class Physics>
 bool EventEngine<Physics>::is_ongoing(std::uint32_t grain, double t) const {
   return std::any_of(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
     return contact.involves(grain) && contact.end() > t;
+  });
+}
+
+/// Isolation was proven against row k as it moved on the grid; flying on, it could meet a grain in
+/// the middle of a closed contact, of which flights know only the end.
+template <class Physics>
+bool EventEngine<Physics>::near_ongoing(std::size_t k) const {
+  const double t = time_of(step_);
+  const Vector<D> x = row(fine_.grains.position, k);
+  const double speed = row(fine_.grains.half_velocity, k).norm();
+  const auto near = [&](std::uint32_t i, double duration) {
+    Vector<D> r = flights_.position_at(i, t) - x;
+    for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);
+    const double reach =
+        1 + 1.05 * (speed + flights_.velocity_at(i, t).norm()) * duration + stray_[i];
+    return r.squaredNorm() < reach * reach;
+  };
+  return std::any_of(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
+    const double left = contact.end() - t;
+    if (left <= 0) return false;
+    return near(contact.i, left) || (contact.j != Ongoing::with_base && near(contact.j, left));
   });
 }
 
