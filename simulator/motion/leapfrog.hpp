@@ -128,8 +128,9 @@ struct LeapfrogGrains {
   }
 
   /// Adds the contact of rows i and j, whose centres are `r` apart (from i to j).
-  void touch_pair(const Physics& physics, std::size_t i, std::size_t j, const Vector<D>& r,
-                  double r2, bool begins, EnergyLedger& ledger) {
+  [[gnu::always_inline]] inline void touch_pair(const Physics& physics, std::size_t i,
+                                                std::size_t j, const Vector<D>& r, double r2,
+                                                bool begins, EnergyLedger& ledger) {
     const double distance = std::sqrt(r2);
     const Vector<D> n = r / distance;
     const double overlap = 2 * grain_radius - distance;
