@@ -53,7 +53,7 @@ simulator::Scene bed(std::vector<double> cell, int count, double V_p) {
 
 TEST_CASE("trajectories: the stepper moves a bed as the plainest integrator does") {
   compare<2>(bed<2>({5}, 12, 2), 1.5);
-  compare<2>(bed<2>({2.2}, 4, 4), 12);
+  compare<2>(bed<2>({2.2}, 4, 4), 10);
   compare<3>(bed<3>({3, 3}, 18, 2), 3.6);
   compare<3>(bed<3>({5, 2.5}, 25, 4), 4.5);
 }
