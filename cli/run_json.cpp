@@ -70,7 +70,8 @@ Json run_json(const simulator::Record& record, double process_cpu_seconds) {
        {"correlation_time", "independent_entries", "ledger_residual", "largest_overlap"}) {
     json[name] = number(scalar(record, name));
   }
-  for (const auto* name : {"collisions", "contact_steps"}) {
+  for (const auto* name : {"collisions", "contact_steps", "contacts_closed", "contacts_fine",
+                           "contacts_undone", "breaches", "dense_steps"}) {
     json[name] = whole(scalar(record, name));
   }
   json["cpu_seconds"] = process_cpu_seconds;

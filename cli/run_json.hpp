@@ -10,7 +10,8 @@ namespace shakebed::cli {
 /// layers, W (null at g = 0), Gamma, cycles, k_n, time_step, contact_duration, steps_per_cycle,
 /// T_x, T_y (null in 2D), T_z, T as {scaled, value} of {mean, standard_error}, the same with _lab
 /// and _volume, h_cm and delta_h_cm {mean, standard_error}, rest_height [d], largest_overlap [d],
-/// collisions, contact_steps, cpu_seconds, cpu_seconds_measuring, stationary, stationary_reason,
+/// collisions, contact_steps, the event engine's counters (null
+/// with the uniform engine), cpu_seconds, cpu_seconds_measuring, stationary, stationary_reason,
 /// at_rest, warnings. Numbers that could not be estimated are null.
 nlohmann::ordered_json run_json(const simulator::Record& record, double process_cpu_seconds);
 
