@@ -67,6 +67,26 @@ TEST_CASE("ledger: a collision's gap shrinks with dt squared") {
   }
 }
 
+// In the middle of an elastic contact all of the motion is in the spring, (1/2) k_n delta^2:
+// kinetic and stored energy add up to the same at every step, within dt squared.
+TEST_CASE("ledger: a spring stores what the motion loses") {
+  const Material material{1e6, 1};
+  for (const Partner partner : {Partner::grain, Partner::base}) {
+    const double dt = contact_duration(material, partner) / 100;
+    auto start = collide<Smooth<3>>(material, partner, {0.5, 100}).before;
+    simulator::UniformStepper<Smooth<3>> stepper(still_world<Smooth<3>>(material, 0, dt), start);
+    const double energy = stepper.energy();
+    CHECK(energy == Approx(0.5 * effective_mass(partner)));
+    double least_motion = energy;
+    for (int step = 0; step < 110; ++step) {
+      stepper.advance(1);
+      CHECK(stepper.energy() == Approx(energy).epsilon(2e-3));
+      least_motion = std::min(least_motion, stepper.kinetic_energy());
+    }
+    CHECK(least_motion < 1e-3 * energy);
+  }
+}
+
 // The paths of two time steps part after a few collisions, so that the gap per collision is
 // compared: over some 10^4 collisions it scatters by 1-2 % (its entry phases and speeds are
 // random).

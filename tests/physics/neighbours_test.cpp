@@ -175,4 +175,18 @@ TEST_CASE("neighbours: a running bed's list knows every overlap at every step") 
   watch(std::integral_constant<int, 3>{}, rough_bed<3>({8, 5}, 80, 2), 4, 8000);
 }
 
+// A bed may start with grains faster than its base ever was.
+TEST_CASE("neighbours: a fast start is in the first list") {
+  const double dt = contact_duration({2e4, 1}, Partner::grain) / 25;
+  const auto physics = still_world<Smooth<2>>({2e4, 1}, 1, dt);
+  auto start = simulator::fill<2, false>(12, physics.cell, 5);
+  for (std::size_t i = 0; i < 12; ++i) start.velocity[0][i] = i % 2 == 0 ? 5 : -5;
+  simulator::UniformStepper<Smooth<2>> stepper(physics, start);
+  for (int step = 0; step < 300; ++step) {
+    stepper.advance(1);
+    require_overlaps_listed(stepper, physics.cell);
+  }
+  CHECK(stepper.ledger().collisions > 5);
+}
+
 }  // namespace shakebed::tests
