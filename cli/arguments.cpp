@@ -118,6 +118,14 @@ void add_sweep(CLI::App& app, Action& action) {
   add_sweep_arguments(collect, *collect_options);
   collect->add_option("--csv", collect_options->csv, "Write the table here, not to standard output")
       ->type_name("FILE");
+
+  auto* snapshots = sweep->add_subcommand(
+      "snapshots", "One row a grain of every snapshot that the points' scenes ask for");
+  auto snapshot_options = options_of(snapshots, action, &sweep_snapshots_command);
+  add_sweep_arguments(snapshots, *snapshot_options);
+  snapshots
+      ->add_option("--csv", snapshot_options->csv, "Write the table here, not to standard output")
+      ->type_name("FILE");
 }
 
 void add_fit(CLI::App& app, Action& action) {

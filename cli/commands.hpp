@@ -31,11 +31,12 @@ struct SweepOptions {
   std::string profile = "quick";
   std::optional<std::filesystem::path> cache;  ///< else SHAKEBED_CACHE, else build/cache
   int jobs = 0;                                ///< 0: all cores
-  std::optional<std::filesystem::path> csv;    ///< collect: file; standard output without it
+  std::optional<std::filesystem::path> csv;    ///< collect, snapshots: file; else standard output
 };
 int sweep_run_command(const SweepOptions& options);
 int sweep_status_command(const SweepOptions& options);
 int sweep_collect_command(const SweepOptions& options);
+int sweep_snapshots_command(const SweepOptions& options);
 
 struct FitOptions {
   std::filesystem::path fit;

@@ -73,10 +73,11 @@ int sweep_status_command(const SweepOptions& options) {
   return 0;
 }
 
-int sweep_collect_command(const SweepOptions& options) {
-  const sweeps::Grid grid = sweeps::read_grid(options.sweep, options.profile);
-  const Cache cache(Cache::place(options.cache));
-  const sweeps::Collected collected = sweeps::collect(grid, cache);
+namespace {
+
+/// Says what is missing of a table and writes it.
+int publish(const sweeps::Grid& grid, const Cache& cache, const sweeps::Collected& collected,
+            const SweepOptions& options) {
   say_problems(collected.problems, "it is left out; `shakebed sweep run` makes it again");
   if (collected.runs_present == 0) {
     throw files::failed(options.sweep.string(),
@@ -94,6 +95,20 @@ int sweep_collect_command(const SweepOptions& options) {
     std::fputs(collected.table.to_text().c_str(), stdout);
   }
   return 0;
+}
+
+}  // namespace
+
+int sweep_collect_command(const SweepOptions& options) {
+  const sweeps::Grid grid = sweeps::read_grid(options.sweep, options.profile);
+  const Cache cache(Cache::place(options.cache));
+  return publish(grid, cache, sweeps::collect(grid, cache), options);
+}
+
+int sweep_snapshots_command(const SweepOptions& options) {
+  const sweeps::Grid grid = sweeps::read_grid(options.sweep, options.profile);
+  const Cache cache(Cache::place(options.cache));
+  return publish(grid, cache, sweeps::collect_snapshots(grid, cache), options);
 }
 
 }  // namespace shakebed::cli

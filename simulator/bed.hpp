@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "files/error.hpp"
 #include "simulator/contact/parameters.hpp"
 #include "simulator/grains/filling.hpp"
 #include "simulator/motion/uniform.hpp"
 #include "simulator/observables/measurement.hpp"
+#include "simulator/observables/snapshot.hpp"
 #include "simulator/simulate.hpp"
 
 namespace shakebed::simulator {
@@ -100,6 +103,12 @@ class Protocol {
            const RunControl& control)
       : scene_(scene), parameters_(parameters), mover_(mover), control_(control) {}
 
+  /// What takes a snapshot: given the step in the cycle that the mover stands at, and the whole
+  /// cycles since the base began to move.
+  using SnapshotTaker = std::function<Snapshot(long step_in_cycle, long cycle)>;
+  void take_snapshots_with(SnapshotTaker taker) { take_snapshot_ = std::move(taker); }
+  std::vector<Snapshot>& snapshots() { return snapshots_; }
+
   /// Discards fewer cycles than planned when Gamma < 1 and a whole cycle was quiet.
   void discard() {
     const long planned = scene_.protocol.transient.value_or(automatic_transient(scene_));
@@ -126,7 +135,7 @@ class Protocol {
     int restarts = rule.until && !rule.transient ? most_restarts : 0;
     while (measurement.cycles() < most) {
       poll(0.5 + 0.5 * static_cast<double>(measurement.cycles()) / static_cast<double>(most));
-      measure_cycle(measurement);
+      measure_cycle(measurement, measurement.cycles() < rule.snapshots.cycles);
       if (over_early(measurement)) break;
       if (!rule.until || measurement.cycles() < next_look) continue;
       if (measurement.at_rest()) break;
@@ -134,6 +143,7 @@ class Protocol {
         --restarts;
         discarded_ += measurement.cycles();
         measurement.restart();
+        snapshots_.clear();
         open_books();
         next_look = first_look();
         continue;
@@ -167,13 +177,31 @@ class Protocol {
     if (control_.on_progress) control_.on_progress(fraction);
   }
 
-  void measure_cycle(Measurement<D>& measurement) {
+  void measure_cycle(Measurement<D>& measurement, bool with_snapshots = false) {
     const long stride = parameters_.steps_per_cycle / phases_per_cycle;
-    for (long phase = 0; phase < phases_per_cycle; ++phase) {
-      mover_.advance(stride);
+    long done = 0;
+    for (long next = stride; next <= parameters_.steps_per_cycle; next += stride) {
+      if (with_snapshots && take_snapshot_)
+        done = take_snapshots(done, next, discarded_ + measurement.cycles());
+      mover_.advance(next - done);
+      done = next;
       measurement.sample(mover_.synchronised());
     }
     measurement.end_cycle(mover_.ledger());
+  }
+
+  /// Those in [from, to) of the cycle's steps; returns the step at which the mover stands then.
+  long take_snapshots(long from, long to, long cycle) {
+    for (const double phase : scene_.protocol.snapshots.phases) {
+      const long step = std::lround(phase * static_cast<double>(parameters_.steps_per_cycle)) %
+                        parameters_.steps_per_cycle;
+      if (step < from || step >= to) continue;
+      if (step > from) mover_.advance(step - from);
+      from = step;
+      snapshots_.push_back(take_snapshot_(step, cycle));
+      snapshots_.back().name = snapshot_name(static_cast<double>(cycle) + phase);
+    }
+    return from;
   }
 
   /// With Gamma < 1 the base cannot throw a bed that rests on it: four quiet cycles decide.
@@ -187,6 +215,8 @@ class Protocol {
   const RunControl& control_;
   long discarded_ = 0;
   double energy_before_ = 0;
+  SnapshotTaker take_snapshot_;
+  std::vector<Snapshot> snapshots_;
 };
 
 }  // namespace shakebed::simulator

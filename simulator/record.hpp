@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -50,6 +51,32 @@ struct Profile {
   std::vector<ProfileColumn> columns;
 };
 
+/// A contact that presses at the instant of a snapshot. The force is > 0 when it pushes; near its
+/// end the dashpot may pull.
+struct SnapshotContact {
+  static constexpr std::int64_t wall = -1;  ///< j of a contact with the base or another wall
+
+  std::int64_t i;
+  std::int64_t j;       ///< > i, or `wall`
+  double normal_force;  ///< [m g]
+};
+
+/// One instant of a bed. Coordinates are x, y, z; y is 0 in two dimensions, where spin is about y.
+struct Snapshot {
+  using Triple = std::array<double, 3>;
+
+  std::string name;          ///< "T10.05": the instant asked for [cycles]
+  double cycles = 0;         ///< since the base began to move
+  double base_height = 0;    ///< of the base's surface above its mean [d]
+  double base_velocity = 0;  ///< [sqrt(g d)]
+  Triple period{};           ///< widths of the periodic cell [d]; 0: not periodic in that direction
+  std::vector<double> radius;    ///< [d]
+  std::vector<Triple> position;  ///< of the centres, wrapped into the periodic cell [d]
+  std::vector<Triple> velocity;  ///< [sqrt(g d)]
+  std::vector<Triple> spin;      ///< [sqrt(g/d)]; empty when no law turns grains
+  std::vector<SnapshotContact> contacts;
+};
+
 /// Kept apart from the results: these differ from run to run.
 struct Timing {
   double cpu_seconds = 0;            ///< the whole run of the bed
@@ -68,6 +95,7 @@ struct Record {
   std::vector<Scalar> scalars;
   std::vector<Series> series;
   Profile profile;
+  std::vector<Snapshot> snapshots;
   bool stationary = false;
   std::string stationary_reason;
   bool at_rest = false;

@@ -7,6 +7,7 @@
 #include "simulator/contact/frictionless.hpp"
 #include "simulator/contact/viscous_coulomb.hpp"
 #include "simulator/motion/events.hpp"
+#include "simulator/observables/snapshot.hpp"
 #include "simulator/scene/read_scene.hpp"
 
 namespace shakebed::simulator {
@@ -70,9 +71,11 @@ void write_counters(Record& record, const EventCounters& counters) {
 
 template <class MoverType>
 void run_protocol(Record& record, const Scene& scene, const Parameters& p, MoverType& mover,
-                  double rest_height, const RunControl& control) {
+                  double rest_height, const RunControl& control,
+                  const typename Protocol<MoverType, MoverType::D>::SnapshotTaker& snapshot) {
   constexpr int D = MoverType::D;
   Protocol<MoverType, D> protocol(scene, p, mover, control);
+  if (!scene.protocol.snapshots.phases.empty()) protocol.take_snapshots_with(snapshot);
   Measurement<D> measurement(scene, rest_height);
   if (scene.protocol.until && !measurement.knows(scene.protocol.until->quantity)) {
     throw files::bad_input("protocol.measure.until",
@@ -86,6 +89,7 @@ void run_protocol(Record& record, const Scene& scene, const Parameters& p, Mover
   record.timing.cpu_seconds_measuring = thread_cpu_seconds() - measuring;
   record.scalars.push_back({"transient", "cycles", static_cast<double>(protocol.discarded())});
   measurement.write(record, mover.ledger(), protocol.energy_change());
+  record.snapshots = std::move(protocol.snapshots());
   warn(record, scene, p, mover.ledger());
 }
 
@@ -105,12 +109,17 @@ Record run(const Scene& scene, const RunControl& control) {
 
   const auto bed = settle<Physics>(scene, control);
   const auto physics = bind_physics<Physics>(scene, p);
+  const auto move_with = [&](auto& mover) {
+    run_protocol(record, scene, p, mover, bed.rest_height, control, [&](long step, long cycle) {
+      return snapshot_of(physics, mover.synchronised(), step, cycle);
+    });
+  };
   if (scene.protocol.engine == Engine::uniform) {
     UniformStepper<Physics> mover(physics, bed.grains);
-    run_protocol(record, scene, p, mover, bed.rest_height, control);
+    move_with(mover);
   } else {
     EventEngine<Physics> mover(physics, p, bed.grains, scene.protocol.contacts);
-    run_protocol(record, scene, p, mover, bed.rest_height, control);
+    move_with(mover);
     write_counters(record, mover.counters());
   }
 

@@ -1,5 +1,7 @@
 #include "sweeps/collect.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "simulator/simulate.hpp"
@@ -65,39 +67,131 @@ std::vector<std::string> provenance_lines(const Grid& grid, const Collected& col
   return lines;
 }
 
-}  // namespace
+/// The cached records of one point, replicate by replicate; what is missing is counted.
+class Reader {
+ public:
+  Reader(const Grid& grid, const store::Cache& cache)
+      : grid_(grid), cache_(cache), runs_(runs_of(grid)) {}
 
-Collected collect(const Grid& grid, const store::Cache& cache) {
-  Collected collected;
-  Makers makers;
-  std::string all_keys;
-  std::vector<store::TableRow> rows;
-  const std::vector<Run> runs = runs_of(grid);
-  for (std::size_t first = 0; first < runs.size(); first += grid.replicates) {
-    std::vector<simulator::Record> replicates;
-    for (int replicate = 0; replicate < grid.replicates; ++replicate) {
-      const Run& run = runs[first + replicate];
-      all_keys += run.identity.key;
-      auto found = cache.find(run.identity);
+  std::size_t points() const { return grid_.points.size(); }
+  const Point& point(std::size_t k) const { return grid_.points[runs_[first_run(k)].point]; }
+
+  std::vector<simulator::Record> records(std::size_t point, Collected& collected) {
+    std::vector<simulator::Record> found_records;
+    const auto replicates = static_cast<std::size_t>(grid_.replicates);
+    for (std::size_t replicate = 0; replicate < replicates; ++replicate) {
+      const Run& run = runs_[first_run(point) + replicate];
+      all_keys_ += run.identity.key;
+      auto found = cache_.find(run.identity);
       if (found.run) {
-        makers.add(found.run->provenance);
-        replicates.push_back(std::move(found.run->record));
+        makers_.add(found.run->provenance);
+        found_records.push_back(std::move(found.run->record));
       } else if (!found.problem.empty()) {
         collected.problems.push_back(found.problem);
       }
     }
-    collected.runs_present += replicates.size();
-    collected.runs_missing += grid.replicates - replicates.size();
-    const Point& point = grid.points[runs[first].point];
+    collected.runs_present += found_records.size();
+    collected.runs_missing += replicates - found_records.size();
+    return found_records;
+  }
+
+  std::vector<std::string> provenance(const Collected& collected) const {
+    return provenance_lines(grid_, collected, makers_, all_keys_);
+  }
+
+ private:
+  std::size_t first_run(std::size_t point) const {
+    return point * static_cast<std::size_t>(grid_.replicates);
+  }
+
+  const Grid& grid_;
+  const store::Cache& cache_;
+  std::vector<Run> runs_;
+  Makers makers_;
+  std::string all_keys_;
+};
+
+const std::vector<files::CsvColumn> grain_columns{{"snapshot", ""},     {"snapshot_cycles", "1"},
+                                                  {"base_height", "d"}, {"id", "1"},
+                                                  {"x", "d"},           {"y", "d"},
+                                                  {"z", "d"},           {"radius", "d"},
+                                                  {"v_x", "sqrt(g d)"}, {"v_y", "sqrt(g d)"},
+                                                  {"v_z", "sqrt(g d)"}, {"speed", "V_p"}};
+
+void add_grain_rows(files::CsvTable& table, const std::vector<std::string>& point_cells,
+                    const simulator::Snapshot& snapshot, double peak_velocity) {
+  using files::number_text;
+  for (std::size_t i = 0; i < snapshot.position.size(); ++i) {
+    auto cells = point_cells;
+    cells.insert(cells.end(), {snapshot.name, number_text(snapshot.cycles),
+                               number_text(snapshot.base_height), std::to_string(i)});
+    for (const double x : snapshot.position[i]) cells.push_back(number_text(x));
+    cells.push_back(number_text(snapshot.radius[i]));
+    const auto& v = snapshot.velocity[i];
+    for (const double component : v) cells.push_back(number_text(component));
+    cells.push_back(number_text(std::hypot(v[0], v[1], v[2]) / peak_velocity));
+    table.add_row(std::move(cells));
+  }
+}
+
+}  // namespace
+
+Collected collect(const Grid& grid, const store::Cache& cache) {
+  Collected collected;
+  Reader reader(grid, cache);
+  std::vector<store::TableRow> rows;
+  for (std::size_t k = 0; k < reader.points(); ++k) {
+    const auto replicates = reader.records(k, collected);
     store::TableRow row = combine_records(replicates);
     if (replicates.empty()) row.reason = "not run";
-    row.axis_cells = point.labels;
-    row.point = point_scalars(point.scene);
+    row.axis_cells = reader.point(k).labels;
+    row.point = point_scalars(reader.point(k).scene);
     drop_what_the_point_says(row);
     rows.push_back(std::move(row));
   }
   collected.table = store::collected_table(grid.columns, rows);
-  collected.table.provenance = provenance_lines(grid, collected, makers, all_keys);
+  collected.table.provenance = reader.provenance(collected);
+  return collected;
+}
+
+Collected collect_snapshots(const Grid& grid, const store::Cache& cache) {
+  Collected collected;
+  Reader reader(grid, cache);
+  auto columns = grid.columns;
+  const auto taken = [&grid](const simulator::Scalar& scalar) {
+    return std::any_of(grid.columns.begin(), grid.columns.end(),
+                       [&](const auto& column) { return column.name == scalar.name; });
+  };
+  for (const auto& scalar : point_scalars(grid.points.front().scene)) {
+    if (!taken(scalar)) columns.push_back({scalar.name, scalar.unit});
+  }
+  columns.push_back({"replicate", "1"});
+  columns.insert(columns.end(), grain_columns.begin(), grain_columns.end());
+  files::CsvTable table(columns);
+  bool asked_for = false;
+  for (std::size_t k = 0; k < reader.points(); ++k) {
+    const auto& scene = reader.point(k).scene;
+    asked_for = asked_for || !scene.protocol.snapshots.phases.empty();
+    auto cells = reader.point(k).labels;
+    for (const auto& scalar : point_scalars(scene)) {
+      if (!taken(scalar)) cells.push_back(files::number_text(scalar.value));
+    }
+    const auto replicates = reader.records(k, collected);
+    for (std::size_t r = 0; r < replicates.size(); ++r) {
+      auto point_cells = cells;
+      point_cells.push_back(std::to_string(r + 1));
+      for (const auto& snapshot : replicates[r].snapshots) {
+        add_grain_rows(table, point_cells, snapshot, scene.base.drive.peak_velocity());
+      }
+    }
+  }
+  if (!asked_for) {
+    throw files::bad_input(grid.id,
+                           "no point's scene asks for snapshots; give it "
+                           "protocol.snapshots: {phases: [0]}");
+  }
+  collected.table = std::move(table);
+  collected.table.provenance = reader.provenance(collected);
   return collected;
 }
 

@@ -21,6 +21,12 @@ struct Collected {
 /// any run keeps its row, with empty cells and `replicates` 0. Never runs a bed.
 Collected collect(const Grid& grid, const store::Cache& cache);
 
+/// One row a grain of every snapshot in the cached runs: the axes' cells, W, Gamma, V_p, layers,
+/// grains, the replicate, the snapshot's name, cycles and base height,
+/// then the grain's id, x, y, z, radius, v_x, v_y, v_z and speed over V_p. Points without
+/// snapshots have no rows; a sweep none of whose points has any is files::Error(bad_input).
+Collected collect_snapshots(const Grid& grid, const store::Cache& cache);
+
 struct Status {
   std::size_t cached = 0;
   std::size_t missing = 0;            ///< never run, interrupted, or not usable

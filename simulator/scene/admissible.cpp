@@ -1,5 +1,6 @@
 #include "simulator/scene/admissible.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "files/csv.hpp"
@@ -205,6 +206,29 @@ void read_protocol(SceneValues& values, Scene& scene) {
   if (contacts == "closed") protocol.contacts = ContactOperator::closed;
 }
 
+void read_snapshots(SceneValues& values, Scene& scene) {
+  const std::string snapshots = "protocol.snapshots";
+  auto& wanted = scene.protocol.snapshots;
+  wanted.phases = values.numbers(snapshots + ".phases").value_or(std::vector<double>{});
+  wanted.cycles = values.integer(snapshots + ".cycles").value_or(1);
+  if (values.refused(snapshots + ".phases") || values.refused(snapshots)) return;
+  if (values.given(snapshots) && wanted.phases.empty()) {
+    values.report(snapshots,
+                  "`protocol.snapshots` needs `phases`, the instants of a cycle at which the bed "
+                  "is kept: {phases: [0, 0.25]}");
+  }
+  std::sort(wanted.phases.begin(), wanted.phases.end());
+  if (std::adjacent_find(wanted.phases.begin(), wanted.phases.end()) != wanted.phases.end()) {
+    values.report(snapshots + ".phases", "`protocol.snapshots.phases`: a phase stands there twice");
+  }
+  if (scene.protocol.cycles && wanted.cycles > *scene.protocol.cycles) {
+    values.report(snapshots + ".cycles",
+                  "`protocol.snapshots.cycles`: snapshots are taken of measured cycles, of which "
+                  "`protocol.measure.cycles` allows " +
+                      std::to_string(*scene.protocol.cycles));
+  }
+}
+
 void read_gravity(SceneValues& values, Scene& scene) {
   const auto gravity = values.number("gravity");
   if (!gravity || *gravity == 1) return;
@@ -237,6 +261,7 @@ Scene scene_from(SceneValues& values) {
   scene.contact.stiffness = values.number("contact.stiffness");
   read_tangential(values, scene);
   read_protocol(values, scene);
+  read_snapshots(values, scene);
   scene.seed = static_cast<std::uint64_t>(values.integer("seed").value_or(1));
   return scene;
 }

@@ -59,6 +59,11 @@ std::string protocol_text(const Scene::Protocol& protocol) {
   constexpr const char* contacts[] = {"auto", "fine", "closed"};
   text += std::string("  engine: ") + engines[static_cast<int>(protocol.engine)] + "\n";
   text += std::string("  contacts: ") + contacts[static_cast<int>(protocol.contacts)] + "\n";
+  const auto& snapshots = protocol.snapshots;
+  if (!snapshots.phases.empty()) {
+    text += "  snapshots:\n    phases: " + list_text(snapshots.phases) + "\n";
+    text += "    cycles: " + std::to_string(snapshots.cycles) + "\n";
+  }
   return text;
 }
 

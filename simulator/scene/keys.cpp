@@ -113,6 +113,11 @@ const std::vector<Key>& table() {
       {"protocol.contacts", word, "", any_value, {"auto", "fine", "closed"}, false, "auto",
        "of the event engine: fine steps through every contact; closed (and auto) takes isolated "
        "ones in one stride by their exact solution"},
+      {"protocol.snapshots.phases", numbers, "cycles", Range{0, 1, false, true}, {}, false, "none",
+       "phases of the drive at which positions, velocities and contacts are kept; at 0 the base "
+       "passes its mean height upwards"},
+      {"protocol.snapshots.cycles", integer, "cycles", from_to(1, 1e4), {}, false, "1",
+       "how many of the first measured cycles have snapshots"},
 
       {"seed", integer, "1", not_negative, {}, false, "1",
        "of the start positions and velocities; another seed is another replicate"},

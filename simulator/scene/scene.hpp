@@ -69,6 +69,12 @@ struct Scene {
     bool allow_coarse_time_step = false;  ///< accept dt > t_c/5
     Engine engine = Engine::automatic;
     ContactOperator contacts = ContactOperator::automatic;
+
+    /// Snapshots at these phases [cycles, in [0, 1)] of the first measured cycles.
+    struct Snapshots {
+      std::vector<double> phases;
+      long cycles = 1;
+    } snapshots;
   } protocol;
 
   std::uint64_t seed = 1;

@@ -101,18 +101,19 @@ void Group::write_attribute(const std::string& name, std::string_view text) cons
 }
 
 void Group::write_array(const std::string& name, hid_t type, std::size_t length, const void* values,
-                        const Labels& labels) const {
+                        const Labels& labels, std::size_t columns) const {
   if (name.empty() || name.find('/') != std::string::npos) {
     throw files::failed(place(name), "a data set cannot have this name");
   }
-  const hsize_t size = length;
+  const int rank = columns == 1 ? 1 : 2;
+  const hsize_t size[2] = {length, columns};
   // Only a growing data set may be empty and chunked.
-  const hsize_t largest = length == 0 ? H5S_UNLIMITED : size;
-  const hsize_t chunk = std::clamp<hsize_t>(size, 1, 8192);
-  const Handle space(H5Screate_simple(1, &size, &largest), H5Sclose);
+  const hsize_t largest[2] = {length == 0 ? H5S_UNLIMITED : length, columns};
+  const hsize_t chunk[2] = {std::clamp<hsize_t>(length, 1, 8192), columns};
+  const Handle space(H5Screate_simple(rank, size, largest), H5Sclose);
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties.id(), false);
-  H5Pset_chunk(properties.id(), 1, &chunk);
+  H5Pset_chunk(properties.id(), rank, chunk);
   H5Pset_fletcher32(properties.id());
   const Handle dataset(checked(H5Dcreate2(handle_.id(), name.c_str(), type, space.id(), H5P_DEFAULT,
                                           properties.id(), H5P_DEFAULT),
@@ -138,6 +139,16 @@ void Group::write(const std::string& name, const std::vector<simulator::Estimate
   write_array(name, estimate_type().id(), values.size(), values.data(), labels);
 }
 
+void Group::write(const std::string& name, const std::vector<std::int64_t>& values,
+                  const Labels& labels) const {
+  write_array(name, H5T_NATIVE_INT64, values.size(), values.data(), labels);
+}
+
+void Group::write(const std::string& name, const std::vector<std::array<double, 3>>& values,
+                  const Labels& labels) const {
+  write_array(name, H5T_NATIVE_DOUBLE, values.size(), values.data(), labels, 3);
+}
+
 void Group::write(const std::string& name, const std::vector<std::string>& texts) const {
   std::size_t width = 1;
   for (const auto& text : texts) width = std::max(width, text.size());
@@ -146,18 +157,21 @@ void Group::write(const std::string& name, const std::vector<std::string>& texts
   write_array(name, text_type(width).id(), texts.size(), padded.data(), {});
 }
 
-Handle Group::open_array(const std::string& name, std::size_t& length) const {
+Handle Group::open_array(const std::string& name, std::size_t& length, std::size_t columns) const {
   Handle dataset(checked(H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT), place(name),
                          "cannot read the data set"),
                  H5Dclose);
   const Handle space(checked(H5Dget_space(dataset.id()), place(name), "cannot read the extent"),
                      H5Sclose);
-  if (H5Sget_simple_extent_ndims(space.id()) != 1) {
-    throw files::failed(place(name), "is not one-dimensional as a run file has it");
+  hsize_t size[2] = {0, 1};
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  if (rank == 1 || rank == 2) H5Sget_simple_extent_dims(space.id(), size, nullptr);
+  if (rank != (columns == 1 ? 1 : 2) || size[1] != columns) {
+    throw files::failed(place(name), "has not " + std::to_string(columns) +
+                                         (columns == 1 ? " number" : " numbers") +
+                                         " a row as a run file has it");
   }
-  hsize_t size = 0;
-  H5Sget_simple_extent_dims(space.id(), &size, nullptr);
-  length = static_cast<std::size_t>(size);
+  length = static_cast<std::size_t>(size[0]);
   return dataset;
 }
 
@@ -170,6 +184,32 @@ std::vector<double> Group::numbers(const std::string& name) const {
   check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
         place(name), "cannot read the data set");
   return values;
+}
+
+std::vector<std::int64_t> Group::integers(const std::string& name) const {
+  std::size_t length = 0;
+  const Handle dataset = open_array(name, length);
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  require_class(type.id(), H5T_INTEGER, place(name), "a list of integers");
+  std::vector<std::int64_t> values(length);
+  check(H5Dread(dataset.id(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        place(name), "cannot read the data set");
+  return values;
+}
+
+std::vector<std::array<double, 3>> Group::triples(const std::string& name) const {
+  std::size_t length = 0;
+  const Handle dataset = open_array(name, length, 3);
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  require_class(type.id(), H5T_FLOAT, place(name), "a table of numbers");
+  std::vector<std::array<double, 3>> values(length);
+  check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        place(name), "cannot read the data set");
+  return values;
+}
+
+bool Group::has(const std::string& name) const {
+  return H5Lexists(handle_.id(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::vector<simulator::Estimate> Group::estimates(const std::string& name) const {

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -14,7 +15,7 @@
 
 // A thin layer over the HDF5 C API: handles that close themselves, and files::Error(failed) with
 // "file:/group/dataset" and the library's own reason instead of error codes. Only what run files
-// need: trees of groups, one-dimensional checksummed data sets, scalar attributes.
+// need: trees of groups, checksummed data sets of one or three columns, scalar attributes.
 namespace shakebed::sweeps::store::hdf5 {
 
 /// An HDF5 identifier that closes itself.
@@ -64,6 +65,11 @@ class Group {
              const Labels& labels = {}) const;
   void write(const std::string& name, const std::vector<simulator::Estimate>& values,
              const Labels& labels = {}) const;
+  void write(const std::string& name, const std::vector<std::int64_t>& values,
+             const Labels& labels = {}) const;
+  /// As a data set of n rows and three columns.
+  void write(const std::string& name, const std::vector<std::array<double, 3>>& values,
+             const Labels& labels = {}) const;
   void write(const std::string& name, const std::vector<std::string>& texts) const;
 
   Group group(const std::string& name) const;
@@ -75,6 +81,9 @@ class Group {
   bool has_attribute(const std::string& name) const;
   std::vector<double> numbers(const std::string& name) const;
   std::vector<simulator::Estimate> estimates(const std::string& name) const;
+  std::vector<std::int64_t> integers(const std::string& name) const;
+  std::vector<std::array<double, 3>> triples(const std::string& name) const;
+  bool has(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
 
  private:
@@ -84,8 +93,8 @@ class Group {
                               const void* value) const;
   void write_text_attribute(hid_t object, const std::string& name, std::string_view text) const;
   void write_array(const std::string& name, hid_t type, std::size_t length, const void* values,
-                   const Labels& labels) const;
-  Handle open_array(const std::string& name, std::size_t& length) const;
+                   const Labels& labels, std::size_t columns = 1) const;
+  Handle open_array(const std::string& name, std::size_t& length, std::size_t columns = 1) const;
 
   Handle handle_;
   std::string where_;

@@ -6,6 +6,7 @@
 #include "files/build_info.hpp"
 #include "files/error.hpp"
 #include "sweeps/store/hdf5.hpp"
+#include "sweeps/store/run_file_snapshots.hpp"
 
 namespace shakebed::sweeps::store {
 namespace {
@@ -199,6 +200,7 @@ std::string image_of(const std::string& name, const Record& record, const Proven
   write_averages(root, record);
   write_series(root, record);
   write_profile(root, record.profile);
+  write_snapshots(root, record.snapshots);
   write_verdict(root, record);
   write_provenance(root, record, provenance);
   write_timing(root, record.timing);
@@ -232,6 +234,7 @@ RunFile read_run_file(const std::filesystem::path& file) {
   read_averages(root, run.record);
   read_series(root, run.record);
   read_profile(root, run.record.profile);
+  run.record.snapshots = read_snapshots(root);
   read_verdict(root, run.record);
   run.provenance = read_provenance(root, run.record);
   read_timing(root, run.record.timing);

@@ -36,6 +36,8 @@ struct RunFile {
 ///   /scalars/NAME               a number, attribute `unit`
 ///   /series/NAME                attributes `unit`, `cycles_per_entry`
 ///   /profiles/z, /profiles/NAME {mean, standard_error} of each box; attribute `box_depth`
+///   /snapshots/NAME/{id, position, velocity, spin, radius}   one row a grain; when asked for
+///   /contacts/NAME/{i, j, normal_force}                      j = -1: a wall
 ///   /verdict                    attributes `stationary`, `stationary_reason`, `at_rest`; warnings
 ///   /provenance                 attributes: physics version, revision, compiler, seed, ...
 ///   /timing                     attributes; the only thing that differs from run to run

@@ -38,6 +38,11 @@ class RandomScenes {
         {"protocol.time_step.allow_coarse", "true"},
         {"seed", std::to_string(random_() >> 1)},
     };
+    if (chance()) {
+      keys.push_back({"protocol.snapshots.phases", "[" + between(0.5, 1) + ", 0]"});
+      if (chance())
+        keys.push_back({"protocol.snapshots.cycles", std::to_string(1 + random_() % 9)});
+    }
     if (chance()) keys.push_back({"protocol.transient.cycles", std::to_string(random_() % 1000)});
     if (chance()) {
       keys.push_back(

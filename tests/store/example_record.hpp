@@ -47,6 +47,22 @@ inline simulator::Record example_record() {
   record.profile.z = {0.25, 0.75};
   record.profile.columns = {{"phi", "1", {0.3, 0.1}, {0.01, nan}},
                             {"T_z", "m g d", {2, 3}, {1, 1}}};
+  simulator::Snapshot snapshot;
+  snapshot.name = "T10.05";
+  snapshot.cycles = 10.05;
+  snapshot.base_height = -0.1;
+  snapshot.base_velocity = 4.7;
+  snapshot.period = {5, 0, 0};
+  snapshot.radius = {0.5, 1.58};
+  snapshot.position = {{1, 2, -0.0}, {5e-324, 4, 1e300}};
+  snapshot.velocity = {{0, 0, nan}, {-1, 0, 1}};
+  snapshot.spin = {{0, 3, 0}, {0, -4, 0}};
+  snapshot.contacts = {{0, 1, -0.25}, {0, simulator::SnapshotContact::wall, 12}};
+  record.snapshots.push_back(snapshot);
+  snapshot.name = "T11";  // nothing touches, nothing spins
+  snapshot.spin.clear();
+  snapshot.contacts.clear();
+  record.snapshots.push_back(snapshot);
   record.stationary = true;
   record.stationary_reason = "";
   record.at_rest = true;
@@ -62,6 +78,26 @@ inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
+inline bool same_bits(const std::vector<std::array<double, 3>>& a,
+                      const std::vector<std::array<double, 3>>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+inline bool same_snapshot(const simulator::Snapshot& a, const simulator::Snapshot& b) {
+  bool same = a.name == b.name && same_bits(a.cycles, b.cycles) &&
+              same_bits(a.base_height, b.base_height) &&
+              same_bits(a.base_velocity, b.base_velocity) && a.period == b.period &&
+              same_bits(a.radius, b.radius) && same_bits(a.position, b.position) &&
+              same_bits(a.velocity, b.velocity) && same_bits(a.spin, b.spin) &&
+              a.contacts.size() == b.contacts.size();
+  for (std::size_t k = 0; same && k < a.contacts.size(); ++k) {
+    same = a.contacts[k].i == b.contacts[k].i && a.contacts[k].j == b.contacts[k].j &&
+           same_bits(a.contacts[k].normal_force, b.contacts[k].normal_force);
+  }
+  return same;
+}
+
 /// Bit for bit, the order of names included; timing only when asked for.
 inline bool same_record(const simulator::Record& a, const simulator::Record& b,
                         bool timing_too = false) {
@@ -72,7 +108,11 @@ inline bool same_record(const simulator::Record& a, const simulator::Record& b,
               a.quantities.size() == b.quantities.size() && a.scalars.size() == b.scalars.size() &&
               a.series.size() == b.series.size() && same_bits(a.profile.z, b.profile.z) &&
               same_bits(a.profile.box_depth, b.profile.box_depth) &&
-              a.profile.columns.size() == b.profile.columns.size();
+              a.profile.columns.size() == b.profile.columns.size() &&
+              a.snapshots.size() == b.snapshots.size();
+  for (std::size_t k = 0; same && k < a.snapshots.size(); ++k) {
+    same = same_snapshot(a.snapshots[k], b.snapshots[k]);
+  }
   for (std::size_t k = 0; same && k < a.quantities.size(); ++k) {
     const auto& p = a.quantities[k];
     const auto& q = b.quantities[k];

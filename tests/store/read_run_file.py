@@ -30,6 +30,12 @@ with tempfile.TemporaryDirectory() as folder:
         every = []
         run.visititems(lambda path, item: every.append(item))
         arrays = [item for item in every if isinstance(item, h5py.Dataset)]
-        assert len(arrays) == 13
+        assert len(arrays) == 13 + (5 + 3) + (4 + 3)
+        bed = run["snapshots/T10.05"]
+        assert bed["position"].shape == (2, 3) and bed["position"][1, 1] == 4
+        assert list(bed["id"]) == [0, 1] and bed.attrs["cycles"] == 10.05
+        assert list(run["contacts/T10.05/j"]) == [1, -1]
+        assert list(run["contacts/T10.05/normal_force"]) == [-0.25, 12]
+        assert "spin" in bed and "spin" not in run["snapshots/T11"]
         for array in arrays:
             assert array.chunks is not None and array.fletcher32, array.name
