@@ -4,11 +4,15 @@
 
 namespace shakebed::simulator {
 
-/// No tangential force: grains carry no spin.
+/// No tangential force: grains carry no spin, contacts no memory.
 struct Frictionless {
   static constexpr bool turns_grains = false;
 
-  explicit Frictionless(const ContactKind&) {}
+  template <class Real>
+  struct Memory {};
+
+  template <class Kind>
+  explicit Frictionless(const Kind&) {}
 };
 
 }  // namespace shakebed::simulator

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <experimental/simd>
+
+#include "simulator/motion/column/contacts_of.hpp"
+#include "simulator/motion/column/pair_list.hpp"
+#include "simulator/motion/column/row_store.hpp"
+#include "simulator/motion/column/wall_list.hpp"
+
+// Contacts in SIMD vectors: rows are gathered and transposed, the law is evaluated for all lanes at
+// once, and forces are added row by row in the order of the list, so that sums do not depend on the
+// width of the vectors.
+namespace shakebed::simulator {
+
+/// The memory of `lane_count` contacts that begin at `k`, or nothing.
+template <class Memory, class List>
+[[gnu::always_inline]] inline Memory load_memory(List& columns, std::size_t k) {
+  if constexpr (std::is_empty_v<Memory>) {
+    return {};
+  } else {
+    return {load_lanes(&columns[0][k]), load_lanes(&columns[1][k]), load_lanes(&columns[2][k])};
+  }
+}
+
+template <class Memory, class List>
+[[gnu::always_inline]] inline void store_memory(List& columns, std::size_t k, const Memory& u,
+                                                const LaneMask& touching) {
+  if constexpr (!std::is_empty_v<Memory>) {
+    using std::experimental::element_aligned;
+    const Lanes none(0.0);
+    chosen(touching, u.x, none).copy_to(&columns[0][k], element_aligned);
+    chosen(touching, u.y, none).copy_to(&columns[1][k], element_aligned);
+    chosen(touching, u.z, none).copy_to(&columns[2][k], element_aligned);
+  }
+}
+
+[[gnu::always_inline]] inline LaneTriple chosen(const LaneMask& mask, const LaneTriple& a) {
+  const Lanes none(0.0);
+  return {chosen(mask, a.x, none), chosen(mask, a.y, none), chosen(mask, a.z, none)};
+}
+
+inline std::size_t touching_count(const LaneMask& mask) {
+  return static_cast<std::size_t>(std::experimental::popcount(mask));
+}
+
+/// What one pass over contacts found.
+struct PassResult {
+  long touching = 0;
+  Lanes largest_overlap{0.0};
+
+  [[gnu::always_inline]] void count(const LaneMask& mask, const Lanes& overlap) {
+    touching += static_cast<long>(touching_count(mask));
+    std::experimental::where(overlap > largest_overlap, largest_overlap) = overlap;
+  }
+};
+
+/// Adds the contacts of the pairs in `list`; those that have ended go to `ended`, in rising order.
+template <class LaneMemory, class Law, class List>
+PassResult touch_pairs(const Law& law, RowStore& rows, List& list, double dt,
+                       std::vector<std::uint32_t>& ended) {
+  PassResult result;
+  const auto nowhere = static_cast<std::uint32_t>(rows.count());
+  list.pad(nowhere, nowhere + 1);
+  const std::size_t n = list.size();
+  const SeenRow* seen = rows.seen.data();
+  PullRow* pull = rows.pull.data();
+  for (std::size_t k = 0; k < n; k += lane_count) {
+    const std::uint32_t* i = list.i() + k;
+    const std::uint32_t* j = list.j() + k;
+    Four x[lane_count], v[lane_count], s[lane_count];
+    for (std::size_t q = 0; q < lane_count; ++q) {
+      x[q] = seen[i[q]].position - seen[j[q]].position;
+      v[q] = seen[i[q]].velocity - seen[j[q]].velocity;
+      if constexpr (Law::turns_grains) s[q] = seen[i[q]].rim_velocity + seen[j[q]].rim_velocity;
+    }
+    LaneTriple r;
+    ContactState<Lanes> c;
+    transpose_rows(x, r);
+    transpose_rows(v, c.velocity);
+    if constexpr (Law::turns_grains) transpose_rows(s, c.rim_velocity);
+    const Lanes distance = std::experimental::sqrt(dot(r, r));
+    c.size = load_lanes(list.contact_size() + k);
+    c.effective_mass = load_lanes(list.effective_mass() + k);
+    c.overlap = c.size - distance;
+    c.normal = (Lanes(1.0) / distance) * r;
+    const LaneMask touching = c.overlap > Lanes(0.0);
+
+    auto memory = load_memory<LaneMemory>(list.memory_columns_of(), k);
+    const SpringForce<Lanes> f = law(c, memory, dt);
+    store_memory(list.memory_columns_of(), k, memory, touching);
+    result.count(touching, c.overlap);
+
+    Four force[lane_count], moment[lane_count];
+    transpose_lanes(chosen(touching, f.force), force);
+    if constexpr (Law::turns_grains) transpose_lanes(chosen(touching, f.moment), moment);
+    for (std::size_t q = 0; q < lane_count; ++q) {
+      PullRow& a = pull[i[q]];
+      PullRow& b = pull[j[q]];
+      a.force += force[q];
+      b.force -= force[q];
+      if constexpr (Law::turns_grains) {
+        a.moment += moment[q];
+        b.moment += moment[q];
+      }
+    }
+    if (touching_count(touching) == lane_count) continue;
+    for (std::size_t q = 0; q < lane_count && k + q < n; ++q) {
+      if (!touching[q]) ended.push_back(static_cast<std::uint32_t>(k + q));
+    }
+  }
+  return result;
+}
+
+/// The pairs of `list` that have come to touch go to `begun`, in rising order.
+template <class List>
+void find_begun(const RowStore& rows, List& list, std::vector<std::uint32_t>& begun) {
+  const auto nowhere = static_cast<std::uint32_t>(rows.count());
+  list.pad(nowhere, nowhere + 1);
+  const std::size_t n = list.size();
+  const SeenRow* seen = rows.seen.data();
+  for (std::size_t k = 0; k < n; k += lane_count) {
+    Four x[lane_count];
+    for (std::size_t q = 0; q < lane_count; ++q) {
+      x[q] = seen[list.i()[k + q]].position - seen[list.j()[k + q]].position;
+    }
+    LaneTriple r;
+    transpose_rows(x, r);
+    const Lanes size = load_lanes(list.contact_size() + k);
+    const LaneMask near = dot(r, r) < size * size;
+    if (std::experimental::none_of(near)) continue;
+    for (std::size_t q = 0; q < lane_count && k + q < n; ++q) {
+      if (near[q]) begun.push_back(static_cast<std::uint32_t>(k + q));
+    }
+  }
+}
+
+/// Adds the contacts with one wall. `meet` makes normal and overlap of the vector's grains.
+template <class LaneMemory, class Law, class List, class Meet>
+PassResult touch_wall(const Law& law, RowStore& rows, List& list, double wall_velocity, double dt,
+                      Meet meet) {
+  PassResult result;
+  list.pad(static_cast<std::uint32_t>(rows.count()));
+  const SeenRow* seen = rows.seen.data();
+  for (std::size_t k = 0; k < list.size; k += lane_count) {
+    const std::uint32_t* i = list.row.data() + k;
+    Four x[lane_count], v[lane_count], s[lane_count];
+    for (std::size_t q = 0; q < lane_count; ++q) {
+      x[q] = seen[i[q]].position;
+      v[q] = seen[i[q]].velocity;
+      if constexpr (Law::turns_grains) s[q] = seen[i[q]].rim_velocity;
+    }
+    LaneTriple r;
+    ContactState<Lanes> c;
+    transpose_rows(x, r);
+    transpose_rows(v, c.velocity);
+    if constexpr (Law::turns_grains) transpose_rows(s, c.rim_velocity);
+    c.velocity.z -= Lanes(wall_velocity);
+    const Lanes radius = load_lanes(list.radius.data() + k);
+    c.size = Lanes(2.0) * radius;
+    c.effective_mass = load_lanes(list.mass.data() + k);
+    meet(r, radius, c);
+    const LaneMask touching = c.overlap > Lanes(0.0) && radius > Lanes(0.0);
+
+    auto memory = load_memory<LaneMemory>(list.memory, k);
+    const SpringForce<Lanes> f = law(c, memory, dt);
+    store_memory(list.memory, k, memory, touching);
+    result.count(touching, chosen(touching, c.overlap, Lanes(0.0)));
+
+    Four force[lane_count], moment[lane_count];
+    transpose_lanes(chosen(touching, f.force), force);
+    if constexpr (Law::turns_grains) transpose_lanes(chosen(touching, f.moment), moment);
+    for (std::size_t q = 0; q < lane_count; ++q) {
+      rows.pull[i[q]].force += force[q];
+      if constexpr (Law::turns_grains) rows.pull[i[q]].moment += moment[q];
+    }
+  }
+  return result;
+}
+
+}  // namespace shakebed::simulator

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "simulator/contact/cundall_strack.hpp"
+#include "simulator/contact/hertz.hpp"
+#include "simulator/contact/linear_overlap.hpp"
+#include "simulator/grains/column_filling.hpp"
+#include "simulator/motion/column/reference.hpp"
+#include "simulator/motion/column/stepper.hpp"
+
+namespace shakebed::tests {
+
+using namespace simulator;
+
+template <class Overlap>
+using RoughColumn = ColumnPhysics<Overlap, CundallStrack, CundallStrack>;
+using LinearColumn = RoughColumn<LinearOverlap>;
+using HertzColumn = RoughColumn<HertzOverlap>;
+
+/// Sun 2006, table I.
+inline constexpr SpringKind table_grain{2e5, 2e5 * 2 / 7, 40, 0, 0.5};
+inline constexpr SpringKind table_wall{2e5, 2e5 * 2 / 7, 40, 20, 0.5};
+
+/// A wide cylinder, gravity, and a still base unless the test says otherwise.
+template <class Physics = LinearColumn>
+Physics physics_of(const SpringKind& grain, const SpringKind& wall, double time_step,
+                   double radius = 50) {
+  return Physics{typename Physics::Pair(grain),
+                 typename Physics::Wall(wall),
+                 {radius},
+                 {0, 0},
+                 {},
+                 1,
+                 time_step,
+                 1'000'000};
+}
+
+template <class Physics>
+Physics shaken(Physics physics, double amplitude, double angular_frequency) {
+  const double period = 2 * std::numbers::pi / angular_frequency;
+  physics.base = {amplitude, amplitude * angular_frequency};
+  physics.steps_per_cycle = std::lround(period / physics.time_step);
+  physics.time_step = period / static_cast<double>(physics.steps_per_cycle);
+  return physics;
+}
+
+/// Grains of diameter 1 and mass 1, high above the base.
+inline SizedGrains two_grains(double gap) {
+  SizedGrains grains;
+  grains.resize_to(2);
+  grains.position[0][1] = 1 + gap;
+  grains.position[2] = {1e3, 1e3};
+  return grains;
+}
+
+}  // namespace shakebed::tests
