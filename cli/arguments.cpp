@@ -87,7 +87,8 @@ void add_sweep_arguments(CLI::App* command, SweepOptions& options) {
   command->add_option("SWEEP", options.sweep, "Sweep (YAML)")->required()->type_name("FILE");
   command
       ->add_option("--profile", options.profile,
-                   "Profile of the sweep: quick shows the shape, paper has every printed point")
+                   "Profile of the sweep: quick shows the shape, paper has every printed point, "
+                   "shipped is what data/ holds")
       ->capture_default_str()
       ->type_name("NAME");
   command
@@ -117,6 +118,10 @@ void add_sweep(CLI::App& app, Action& action) {
   auto collect_options = options_of(collect, action, &sweep_collect_command);
   add_sweep_arguments(collect, *collect_options);
   collect->add_option("--csv", collect_options->csv, "Write the table here, not to standard output")
+      ->type_name("FILE");
+  collect
+      ->add_option("--profiles", collect_options->profiles,
+                   "Write the height profiles here, one row a box of each point")
       ->type_name("FILE");
 
   auto* snapshots = sweep->add_subcommand(
@@ -151,6 +156,23 @@ void add_figure(CLI::App& app, Action& action) {
   figure->add_option("--output", options->output_folder, "Folder for CSV, SVG and PNG")
       ->required()
       ->type_name("DIR");
+}
+
+void add_claims(CLI::App& app, Action& action) {
+  auto* claims = app.add_subcommand(
+      "claims", "The papers' claims: our number, its error and a verdict for each");
+  auto options = options_of(claims, action, &claims_command);
+  claims->add_option("MANIFEST", options->manifest, "data_manifest.yaml")
+      ->required()
+      ->type_name("FILE");
+  claims->add_option("--tables", options->tables, "tables.csv of a build folder")
+      ->required()
+      ->type_name("FILE");
+  claims->add_option("--csv", options->csv, "Write all of it here")->type_name("FILE");
+  claims->add_option("--recorded", options->recorded, "Name the verdicts that differ from these")
+      ->type_name("FILE");
+  claims->add_option("--record", options->record, "Write the verdicts from shipped averages here")
+      ->type_name("FILE");
 }
 
 void add_network(CLI::App& app, Action& action) {
@@ -250,6 +272,7 @@ int dispatch(int argc, char** argv) {
   add_sweep(app, action);
   add_fit(app, action);
   add_figure(app, action);
+  add_claims(app, action);
   add_network(app, action);
   add_export(app, action);
   if (const auto fault = argc > 1 ? unknown_subcommand(app, argv[1]) : ""; !fault.empty()) {

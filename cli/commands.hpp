@@ -32,6 +32,7 @@ struct SweepOptions {
   std::optional<std::filesystem::path> cache;  ///< else SHAKEBED_CACHE, else build/cache
   int jobs = 0;                                ///< 0: all cores
   std::optional<std::filesystem::path> csv;    ///< collect, snapshots: file; else standard output
+  std::optional<std::filesystem::path> profiles;  ///< collect: height profiles, a row a box
 };
 int sweep_run_command(const SweepOptions& options);
 int sweep_status_command(const SweepOptions& options);
@@ -53,6 +54,15 @@ struct FigureOptions {
   std::filesystem::path output_folder;
 };
 int figure_command(const FigureOptions& options);
+
+struct ClaimsOptions {
+  std::filesystem::path manifest;
+  std::filesystem::path tables;                   ///< tables.csv of a build folder
+  std::optional<std::filesystem::path> csv;       ///< every claim over every origin
+  std::optional<std::filesystem::path> recorded;  ///< verdicts to compare with
+  std::optional<std::filesystem::path> record;    ///< write the shipped verdicts here
+};
+int claims_command(const ClaimsOptions& options);
 
 struct ExportOptions {
   std::filesystem::path scene;

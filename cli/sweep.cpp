@@ -102,7 +102,10 @@ int publish(const sweeps::Grid& grid, const Cache& cache, const sweeps::Collecte
 int sweep_collect_command(const SweepOptions& options) {
   const sweeps::Grid grid = sweeps::read_grid(options.sweep, options.profile);
   const Cache cache(Cache::place(options.cache));
-  return publish(grid, cache, sweeps::collect(grid, cache), options);
+  const auto with = options.profiles ? sweeps::With::averages_and_profiles : sweeps::With::averages;
+  const sweeps::Collected collected = sweeps::collect(grid, cache, with);
+  if (options.profiles && collected.runs_present > 0) collected.profiles.write(*options.profiles);
+  return publish(grid, cache, collected, options);
 }
 
 int sweep_snapshots_command(const SweepOptions& options) {

@@ -1,7 +1,7 @@
 # The experiments as chains of files, each link declared once:
 #
-#   add_sweep(id FILE sweep.yaml [SHIPPED averages.csv])
-#   add_fit(id FILE fit.yaml SWEEP sweep-id)
+#   add_sweep(id FILE sweep.yaml [SHIPPED averages.csv] [PROFILES [SHIPPED_PROFILES profiles.csv]])
+#   add_fit(id FILE fit.yaml SWEEP sweep-id [USES files...])
 #   add_figure(id SPEC figure.yaml NEEDS sweep- and fit-ids)
 #
 # Every chain exists over tables of up to three origins, each with files under results/<origin>/:
@@ -13,11 +13,12 @@
 # physics), and its table is replaced only when its content changed. Fits and figures are ordinary
 # file rules behind that table, so a changed fit never touches a bed.
 #
-# A figure's specification knows the tables by the ids of its NEEDS: a sweep's table under its id,
-# a fit's under <id>.parameters, <id>.summary, <id>.curves, ... (SHAKEBED_FIT_TABLES).
+# A figure's specification knows the tables by the ids of its NEEDS: a sweep's table under its id (its
+# height profiles under <id>.profiles), a fit's under <id>.parameters, <id>.summary, <id>.curves, ... (SHAKEBED_FIT_TABLES).
 
 set(SHAKEBED_RESULTS "${CMAKE_BINARY_DIR}/results" CACHE PATH "Tables, fits and figures")
-set(SHAKEBED_FIT_TABLES parameters summary exponents curves comparison correlations points)
+set(SHAKEBED_FIT_TABLES parameters summary exponents curves comparison correlations points collapse
+    ratios)
 
 add_custom_target(refit)
 add_custom_target(data-hashes
@@ -55,6 +56,10 @@ function(shakebed_offer id origin target tables)
   set_property(GLOBAL APPEND PROPERTY SHAKEBED_ORIGINS_${id} ${origin})
   set_property(GLOBAL PROPERTY SHAKEBED_TARGET_${id}_${origin} "${target}")
   set_property(GLOBAL PROPERTY SHAKEBED_TABLES_${id}_${origin} "${tables}")
+  foreach(pair IN LISTS tables)
+    string(REPLACE "=" "," line "${pair}")
+    set_property(GLOBAL APPEND_STRING PROPERTY SHAKEBED_ALL_TABLES "${origin},${line}\n")
+  endforeach()
 endfunction()
 
 # Targets, NAME=FILE pairs and files that `ids` offer over tables of `origin`; `offered` is false
@@ -83,48 +88,83 @@ function(shakebed_collect origin ids offered targets tables files)
   set(${files} "${all_files}" PARENT_SCOPE)
 endfunction()
 
-# add_sweep(id FILE sweep.yaml [SHIPPED averages.csv])
+# add_sweep(id FILE sweep.yaml [SHIPPED averages.csv] [PROFILES [SHIPPED_PROFILES profiles.csv]])
+# PROFILES: the height profiles are collected too.
 function(add_sweep id)
-  cmake_parse_arguments(PARSE_ARGV 1 S "" "FILE;SHIPPED" "")
+  cmake_parse_arguments(PARSE_ARGV 1 S "PROFILES" "FILE;SHIPPED;SHIPPED_PROFILES" "")
   shakebed_declare(SOURCE "${id}")
   shakebed_existing_file(file "${id}" "${S_FILE}")
   foreach(profile quick paper)
     shakebed_target_name(target "sweep-${id}" ${profile})
     set(table "${SHAKEBED_RESULTS}/${profile}/tables/${id}.csv")
+    set(profiles "${SHAKEBED_RESULTS}/${profile}/tables/${id}.profiles.csv")
+    set(offers "${id}=${table}")
+    set(collecting --csv "${table}.new")
+    set(replacing)
+    if(S_PROFILES)
+      list(APPEND offers "${id}.profiles=${profiles}")
+      list(APPEND collecting --profiles "${profiles}.new")
+      set(replacing COMMAND ${CMAKE_COMMAND} "-DNEW=${profiles}.new" "-DTARGET=${profiles}"
+                            -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake")
+    endif()
+    list(TRANSFORM offers REPLACE "^[^=]*=" "" OUTPUT_VARIABLE made)
     add_custom_target(${target}
       COMMAND shakebed sweep run "${file}" --profile ${profile}
       COMMAND ${CMAKE_COMMAND} -E make_directory "${SHAKEBED_RESULTS}/${profile}/tables"
-      COMMAND shakebed sweep collect "${file}" --profile ${profile} --csv "${table}.new"
+      COMMAND shakebed sweep collect "${file}" --profile ${profile} ${collecting}
       COMMAND ${CMAKE_COMMAND} "-DNEW=${table}.new" "-DTARGET=${table}"
               -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake"
-      BYPRODUCTS "${table}"
+      ${replacing}
+      BYPRODUCTS ${made}
       # Without SHAKEBED_CACHE in the environment the cache is build/cache below this folder.
       WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
       COMMENT "Sweep ${id} (${profile})" USES_TERMINAL VERBATIM)
-    shakebed_offer("${id}" ${profile} ${target} "${id}=${table}")
+    shakebed_offer("${id}" ${profile} ${target} "${offers}")
   endforeach()
   if(S_SHIPPED)
-    cmake_path(ABSOLUTE_PATH S_SHIPPED BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
-    # A glob, so that averages that arrive later are noticed without being asked to configure.
-    file(GLOB shipped CONFIGURE_DEPENDS "${S_SHIPPED}")
-    if(shipped)
-      shakebed_offer("${id}" shipped "" "${id}=${shipped}")
-    else()
-      message(STATUS "refit leaves out what needs ${id}: ${S_SHIPPED} is not there")
-    endif()
+    shakebed_offer_shipped("${id}" "${S_SHIPPED}" "${S_SHIPPED_PROFILES}")
   endif()
 endfunction()
 
-# add_fit(id FILE fit.yaml SWEEP sweep-id)
+# Averages (and profiles) under data/, as far as they are there: all of a sweep's or none.
+function(shakebed_offer_shipped id averages profiles)
+  set(offers)
+  foreach(pair "${id}=${averages}" "${id}.profiles=${profiles}")
+    string(REGEX REPLACE "^([^=]*)=(.*)$" "\\1;\\2" parts "${pair}")
+    list(GET parts 0 name)
+    if(pair STREQUAL "${name}=")
+      continue()
+    endif()
+    list(GET parts 1 file)
+    cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    # A glob, so that averages that arrive later are noticed without being asked to configure.
+    file(GLOB shipped CONFIGURE_DEPENDS "${file}")
+    if(NOT shipped)
+      message(STATUS "refit leaves out what needs ${id}: ${file} is not there")
+      return()
+    endif()
+    list(APPEND offers "${name}=${shipped}")
+  endforeach()
+  shakebed_offer("${id}" shipped "" "${offers}")
+endfunction()
+
+# add_fit(id FILE fit.yaml SWEEP sweep-id [USES files...])
+# USES: hand-written tables that the fit file names.
 function(add_fit id)
-  cmake_parse_arguments(PARSE_ARGV 1 F "" "FILE;SWEEP" "")
+  cmake_parse_arguments(PARSE_ARGV 1 F "" "FILE;SWEEP" "USES")
   shakebed_declare(SOURCE "${id}")
   shakebed_existing_file(file "${id}" "${F_FILE}")
+  set(uses)
+  foreach(used IN LISTS F_USES)
+    shakebed_existing_file(used "${id}" "${used}")
+    list(APPEND uses "${used}")
+  endforeach()
   foreach(origin quick paper shipped)
     shakebed_collect(${origin} "${F_SWEEP}" offered sweep_target tables table)
     if(NOT offered)
       continue()
     endif()
+    list(GET table 0 table)  # the averages; a sweep's profiles come after them
     shakebed_target_name(target "fit-${id}" ${origin})
     set(folder "${SHAKEBED_RESULTS}/${origin}/fits/${id}")
     set(offers)
@@ -137,7 +177,7 @@ function(add_fit id)
       COMMAND ${CMAKE_COMMAND} -E make_directory "${folder}"
       COMMAND shakebed fit "${file}" --data "${table}" --csv "${folder}/parameters.csv"
               > "${folder}/report.txt"
-      DEPENDS "${file}" "${table}" shakebed
+      DEPENDS "${file}" ${uses} "${table}" shakebed
       COMMENT "Fit ${id} (${origin})" VERBATIM)
     add_custom_target(${target} DEPENDS ${outputs})
     if(sweep_target)
@@ -216,6 +256,7 @@ function(add_job name)
 endfunction()
 
 # pipeline.csv: the figures that are declared, for the manifest's test and the report's index.
+# tables.csv: every table by origin and name, for the claims.
 function(shakebed_write_pipeline)
   set(lines "figure,needs,origins\n")
   get_property(figures GLOBAL PROPERTY SHAKEBED_FIGURE_IDS)
@@ -233,4 +274,24 @@ function(shakebed_write_pipeline)
     string(APPEND lines "${id},${needs},${origins}\n")
   endforeach()
   file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/pipeline.csv" CONTENT "${lines}")
+  get_property(tables GLOBAL PROPERTY SHAKEBED_ALL_TABLES)
+  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/tables.csv" CONTENT "origin,table,file\n${tables}")
+endfunction()
+
+# claims: the papers' claims with our numbers and verdicts, from the shipped averages and from beds
+# computed so far. record-claims keeps the verdicts from the shipped averages, which a test compares.
+function(shakebed_add_claims)
+  set(manifest "${PROJECT_SOURCE_DIR}/data_manifest.yaml")
+  set(verdicts "${PROJECT_SOURCE_DIR}/data/verdicts.csv")
+  foreach(word claims record-claims)
+    set(option --recorded)
+    if(word STREQUAL "record-claims")
+      set(option --record)
+    endif()
+    add_custom_target(${word}
+      COMMAND shakebed claims "${manifest}" --tables "${CMAKE_BINARY_DIR}/tables.csv"
+              --csv "${SHAKEBED_RESULTS}/claims.csv" ${option} "${verdicts}"
+      USES_TERMINAL VERBATIM)
+    add_dependencies(${word} refit)
+  endforeach()
 endfunction()

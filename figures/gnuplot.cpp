@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 #include "figures/process.hpp"
@@ -54,6 +55,19 @@ std::string program() {
   return set != nullptr && *set != '\0' ? set : "gnuplot";
 }
 
+/// Scripts draw one series for each state of a point, and most figures have no point that is at
+/// rest or not stationary: gnuplot's warning of that is not worth a reader's time.
+std::string without_empty_series(const std::string& text) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("Skipping data file with no valid points") == std::string::npos) {
+      kept += line + "\n";
+    }
+  }
+  return kept.find_first_not_of(" \n") == std::string::npos ? "" : kept;
+}
+
 void run_gnuplot(const fs::path& commands, const fs::path& script) {
   ProcessResult result;
   try {
@@ -68,7 +82,7 @@ void run_gnuplot(const fs::path& commands, const fs::path& script) {
                                              std::to_string(result.exit_code) + ":\n" +
                                              result.error_text);
   }
-  if (!result.error_text.empty()) std::fputs(result.error_text.c_str(), stderr);
+  std::fputs(without_empty_series(result.error_text).c_str(), stderr);
 }
 
 /// A file that is gone when the scope is left.

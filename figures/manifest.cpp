@@ -64,7 +64,7 @@ ReferenceValue read_value(const YamlNode& node) {
 
 Entry read_entry(const std::string& id, const YamlNode& node,
                  const std::map<std::string, std::string>& papers) {
-  node.refuse_unknown_keys({"paper", "item", "what", "reference"});
+  node.refuse_unknown_keys({"paper", "item", "what", "reference", "claims"});
   Entry entry;
   entry.id = id;
   entry.paper = node.at("paper").as_string();
@@ -75,6 +75,16 @@ Entry read_entry(const std::string& id, const YamlNode& node,
   entry.what = node.at("what").as_string();
   if (const auto values = node.find("reference")) {
     for (const auto& value : values->elements()) entry.values.push_back(read_value(value));
+  }
+  if (const auto claims = node.find("claims")) {
+    for (const auto& claim : claims->elements()) {
+      entry.claims.push_back(fitting::claims::read_claim(claim));
+      const auto& name = entry.claims.back().id;
+      const auto same = [&](const auto& other) { return other.id == name; };
+      if (std::count_if(entry.claims.begin(), entry.claims.end(), same) > 1) {
+        throw claim.error("this entry has two claims '" + name + "'");
+      }
+    }
   }
   return entry;
 }

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "fitting/claims/claim.hpp"
+
 namespace shakebed::figures {
 
 /// How far a value may be from the reference before a test objects, and why that far.
@@ -45,6 +47,7 @@ struct Entry {
   std::string item;   ///< "Fig. 2"
   std::string what;
   std::vector<ReferenceValue> values;
+  std::vector<fitting::claims::Claim> claims;
 };
 
 struct ShippedFile {

@@ -186,6 +186,7 @@ void run_peak(const CsvTable& table, const PeakSpecification& entry, FitReport& 
     try {
       const auto whole = whole_curve(table, rows, entry.y, entry.y_error);
       result.dropped = whole.dropped;
+      result.curve = whole.curve;
       result.peak = find_peak(whole.curve, whole.below, entry.rule);
       try {
         result.settling = find_settling(whole.curve, entry.settling);
@@ -225,7 +226,7 @@ void refuse_if_nothing_was_found(const FitReport& report) {
                      std::ranges::any_of(report.peaks, [](const PeakResult& result) {
                        return result.peak.has_value();
                      });
-  if (found) return;
+  if (found || (report.fits.empty() && report.peaks.empty())) return;
   const auto refuse = [](const DataSpecification& entry, const std::string& problem) {
     throw files::failed(entry.where, "nothing in this file could be fitted to this table; first, " +
                                          entry.id + ": " + problem);

@@ -48,6 +48,7 @@ struct PeakResult {
   std::string y_unit;
   std::optional<Peak> peak;
   std::optional<Settling> settling;
+  Curve curve;  ///< the points it was looked for in
   std::vector<DroppedRow> dropped;
   std::string problem;  ///< what could not be found, and why
 };

@@ -77,7 +77,7 @@ void read_shared(const Entry& entry, DataSpecification& data) {
   }
 }
 
-FitSpecification read_fit(const Entry& entry) {
+FitSpecification read_fit(const Entry& entry, const files::CsvTable* studies) {
   entry.node().refuse_unknown_keys(together(shared_keys, fit_keys));
   FitSpecification fit;
   read_shared(entry, fit);
@@ -112,7 +112,7 @@ FitSpecification read_fit(const Entry& entry) {
       throw covariance->error("`covariance: given` needs `weights: errors`");
     }
   }
-  if (const auto range = entry.find("range")) fit.range = read_range(*range);
+  if (const auto range = entry.find("range")) fit.range = read_range(*range, studies);
   if (const auto reference = entry.find("reference")) {
     fit.reference = read_reference(*reference, fit.model);
   }
@@ -130,8 +130,27 @@ PeakSpecification read_peak(const Entry& entry) {
   return peak;
 }
 
+RatioSpecification read_ratio(const YamlNode& node) {
+  node.refuse_unknown_keys({"id", "of", "over", "against", "match"});
+  RatioSpecification ratio;
+  ratio.where = node.where();
+  ratio.id = node.at("id").as_string();
+  ratio.of = node.at("of").as_string();
+  ratio.over = ratio.of;
+  if (const auto over = node.find("over")) ratio.over = over->as_string();
+  if (const auto against = node.find("against")) {
+    ratio.against = read_select(*against);
+    for (const auto& column : one_or_more(node.at("match"))) {
+      ratio.match.push_back(column.as_string());
+    }
+  } else if (ratio.over == ratio.of) {
+    throw node.error("a column over itself is 1: expected `over`, or `against` with `match`");
+  }
+  return ratio;
+}
+
 FitFile read(const YamlNode& root, const std::filesystem::path& file) {
-  root.refuse_unknown_keys({"fit", "id", "data", "defaults", "fits", "peaks"});
+  root.refuse_unknown_keys({"fit", "id", "data", "studies", "defaults", "fits", "peaks", "ratios"});
   const YamlNode schema = root.at("fit");
   if (schema.as_integer() != 1) {
     throw schema.error("this program reads fit schema 1, got " + schema.as_string());
@@ -139,6 +158,10 @@ FitFile read(const YamlNode& root, const std::filesystem::path& file) {
   FitFile result;
   result.id = root.at("id").as_string();
   if (const auto data = root.find("data")) result.data = file.parent_path() / data->as_string();
+  std::optional<files::CsvTable> studies;
+  if (const auto table = root.find("studies")) {
+    studies = files::CsvTable::read(file.parent_path() / table->as_string());
+  }
   const auto defaults = root.find("defaults");
   if (defaults) {
     defaults->refuse_unknown_keys(together(together(shared_keys, fit_keys), peak_keys));
@@ -152,7 +175,7 @@ FitFile read(const YamlNode& root, const std::filesystem::path& file) {
   };
   if (const auto fits = root.find("fits")) {
     for (const auto& node : fits->elements()) {
-      result.fits.push_back(read_fit(Entry(node, defaults)));
+      result.fits.push_back(read_fit(Entry(node, defaults), studies ? &*studies : nullptr));
       unique(result.fits.back());
     }
   }
@@ -162,8 +185,11 @@ FitFile read(const YamlNode& root, const std::filesystem::path& file) {
       unique(result.peaks.back());
     }
   }
-  if (result.fits.empty() && result.peaks.empty()) {
-    throw root.error("nothing to do: expected `fits` or `peaks` with at least one entry");
+  if (const auto ratios = root.find("ratios")) {
+    for (const auto& node : ratios->elements()) result.ratios.push_back(read_ratio(node));
+  }
+  if (result.fits.empty() && result.peaks.empty() && result.ratios.empty()) {
+    throw root.error("nothing to do: expected `fits`, `peaks` or `ratios` with at least one entry");
   }
   return result;
 }

@@ -78,11 +78,23 @@ struct PeakSpecification : DataSpecification {
   PeakRule rule;
 };
 
+/// A column made of two others: `of` over `over`, of the same row, or over that of the row that
+/// meets `against` and has the same cells in the columns `match`.
+struct RatioSpecification {
+  std::string id;  ///< the new column's name
+  std::string of;
+  std::string over;
+  std::vector<Filter> against;  ///< empty: the same row
+  std::vector<std::string> match;
+  std::string where;
+};
+
 struct FitFile {
   std::string id;
   std::filesystem::path data;  ///< the collected table; empty when only --data can give it
   std::vector<FitSpecification> fits;
   std::vector<PeakSpecification> peaks;
+  std::vector<RatioSpecification> ratios;
 };
 
 /// Reads a fit file (schema `fit: 1`); Error(bad_input) with the place for anything wrong.

@@ -75,7 +75,35 @@ Exclusion read_exclusion(const YamlNode& node) {
   return {column, ends[0].as_double(), ends[1].as_double(), because};
 }
 
-RangeSpecification read_range(const YamlNode& node) {
+namespace {
+
+/// How far the ends of a reconstructed range may be off.
+constexpr double uncertain_low = 0.7;
+constexpr double uncertain_high = 1.4;
+
+RangeSpecification range_of_study(const YamlNode& node, const files::CsvTable* studies) {
+  node.refuse_unknown_keys({"study"});
+  const YamlNode key = node.at("study");
+  if (studies == nullptr) throw key.error("`study` needs a table of `studies` in this file");
+  for (std::size_t row = 0; row < studies->rows(); ++row) {
+    if (studies->text(row, studies->column("key")) != key.as_string()) continue;
+    const auto bound = [&](const char* column) {
+      return RangeBound{RangeBound::Kind::number, studies->number(row, studies->column(column))};
+    };
+    RangeSpecification range;
+    range.from = bound("W_from");
+    range.to = bound("W_to");
+    range.certain = studies->text(row, studies->column("provenance")) == "given";
+    if (!range.certain) range.stretch = {uncertain_low, uncertain_high};
+    return range;
+  }
+  throw key.error("no study '" + key.as_string() + "' in " + studies->name);
+}
+
+}  // namespace
+
+RangeSpecification read_range(const YamlNode& node, const files::CsvTable* studies) {
+  if (node.has("study")) return range_of_study(node, studies);
   RangeSpecification range;
   std::optional<YamlNode> limits;
   for (const auto& [key, value] : node.items()) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/csv.hpp"
 #include "files/yaml.hpp"
 #include "fitting/fit_file.hpp"
 
@@ -34,7 +35,10 @@ double share(const files::YamlNode& node);  ///< above 0, at most 1
 
 std::vector<Filter> read_select(const files::YamlNode& node);
 Exclusion read_exclusion(const files::YamlNode& node);  ///< {W: [1.3, 1.5], because: "..."}
-RangeSpecification read_range(const files::YamlNode& node);
+/// Columns and bounds, or `{study: key}`: the range of W of an earlier study, from a table with
+/// columns key, W_from, W_to and provenance. A range that is not `given` is uncertain, and its ends
+/// are tried times 0.7 and 1.4.
+RangeSpecification read_range(const files::YamlNode& node, const files::CsvTable* studies);
 Model read_model(const files::YamlNode& node);
 Reference read_reference(const files::YamlNode& node, const Model& model);
 

@@ -17,6 +17,8 @@ namespace shakebed::fitting {
 ///  curves       every fitted curve, its 95 % band and the paper's curve on a fine grid
 ///  comparison   our curve against the paper's at the places the fit file names
 ///  correlations between the parameters of a fit
+///  collapse     the points of every peak's curve over W_f and over the peak's height
+///  ratios       the columns named under `ratios`, for every row of the collected table
 ///  points       every row of the selection: used, with its residual, or dropped, with the reason
 /// An empty interval end means that the data do not bound the parameter there.
 using NamedTables = std::vector<std::pair<std::string, files::CsvTable>>;

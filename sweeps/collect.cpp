@@ -7,6 +7,7 @@
 #include "simulator/simulate.hpp"
 #include "sweeps/combine.hpp"
 #include "sweeps/cost_model.hpp"
+#include "sweeps/profiles.hpp"
 #include "sweeps/store/run_key.hpp"
 #include "sweeps/store/table.hpp"
 
@@ -136,14 +137,16 @@ void add_grain_rows(files::CsvTable& table, const std::vector<std::string>& poin
 
 }  // namespace
 
-Collected collect(const Grid& grid, const store::Cache& cache) {
+Collected collect(const Grid& grid, const store::Cache& cache, With with) {
   Collected collected;
+  ProfileTable profiles(grid);
   Reader reader(grid, cache);
   std::vector<store::TableRow> rows;
   for (std::size_t k = 0; k < reader.points(); ++k) {
     const auto replicates = reader.records(k, collected);
     store::TableRow row = combine_records(replicates);
     if (replicates.empty()) row.reason = "not run";
+    if (with == With::averages_and_profiles) profiles.add(reader.point(k), replicates, row);
     row.axis_cells = reader.point(k).labels;
     row.point = point_scalars(reader.point(k).scene);
     drop_what_the_point_says(row);
@@ -151,6 +154,10 @@ Collected collect(const Grid& grid, const store::Cache& cache) {
   }
   collected.table = store::collected_table(grid.columns, rows);
   collected.table.provenance = reader.provenance(collected);
+  if (with == With::averages_and_profiles) {
+    collected.profiles = profiles.table();
+    collected.profiles.provenance = collected.table.provenance;
+  }
   return collected;
 }
 

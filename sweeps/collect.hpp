@@ -11,7 +11,8 @@
 namespace shakebed::sweeps {
 
 struct Collected {
-  files::CsvTable table;  ///< one row a point, in the grid's order
+  files::CsvTable table;     ///< one row a point, in the grid's order
+  files::CsvTable profiles;  ///< one row a box of a point (profiles.hpp), when asked for
   std::size_t runs_present = 0;
   std::size_t runs_missing = 0;
   std::vector<std::string> problems;  ///< cached files that cannot be used
@@ -19,7 +20,8 @@ struct Collected {
 
 /// Reads the cache and combines the replicates of each point, one point at a time. A point without
 /// any run keeps its row, with empty cells and `replicates` 0. Never runs a bed.
-Collected collect(const Grid& grid, const store::Cache& cache);
+enum class With { averages, averages_and_profiles };
+Collected collect(const Grid& grid, const store::Cache& cache, With with = With::averages);
 
 /// One row a grain of every snapshot in the cached runs: the axes' cells, W, Gamma, V_p, layers,
 /// grains, the replicate, the snapshot's name, cycles and base height,

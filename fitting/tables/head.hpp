@@ -71,5 +71,7 @@ files::CsvTable curves_table(const Head& head, const FitReport& report);
 files::CsvTable comparison_table(const Head& head, const FitReport& report);
 files::CsvTable correlations_table(const Head& head, const FitReport& report);
 files::CsvTable points_table(const Head& head, const FitReport& report);
+files::CsvTable collapse_table(const Head& head, const FitReport& report);
+files::CsvTable ratios_table(const FitFile& file, const files::CsvTable& data);
 
 }  // namespace shakebed::fitting

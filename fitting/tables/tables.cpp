@@ -74,6 +74,8 @@ NamedTables tables(const FitFile& file, const FitReport& report, const CsvTable&
                   {"curves", curves_table(head, report)},
                   {"comparison", comparison_table(head, report)},
                   {"correlations", correlations_table(head, report)},
+                  {"collapse", collapse_table(head, report)},
+                  {"ratios", ratios_table(file, data)},
                   {"points", points_table(head, report)}};
   for (auto& [name, table] : all) {
     table.provenance = data.provenance;

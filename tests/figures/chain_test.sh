@@ -19,7 +19,7 @@ case "$1 $2" in
   "sweep collect") cp "$SOURCE_TABLE" "$(option --csv "$@")" ;;
   fit*)
     out=$(dirname "$(option --csv "$@")"); mkdir -p "$out"
-    for kind in parameters summary exponents curves comparison correlations points; do
+    for kind in parameters summary exponents curves comparison correlations points collapse ratios; do
       cat "$2" "$(option --data "$@")" > "$out/$kind.csv"
     done ;;
   figure*)

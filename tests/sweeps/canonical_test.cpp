@@ -9,9 +9,11 @@ namespace {
 const std::filesystem::path sweep =
     std::filesystem::path(SHAKEBED_SWEEPS_FOLDER) / "bhateja2016" / "canonical.yaml";
 
-TEST_CASE("The canonical sweep is the paper's: 38 frequencies in four systems") {
+TEST_CASE(
+    "The canonical sweep is the paper's: 38 frequencies and ten beyond them, in four systems") {
   const auto grid = sweeps::read_grid(sweep, "paper");
-  REQUIRE(grid.points.size() == 4 * 38);
+  REQUIRE(grid.points.size() == 4 * 48);
+  CHECK(grid.points.back().scene.W() > 135);  // the end of Feitosa & Menon's range
   CHECK(grid.columns[0].name == "system");
   CHECK(grid.columns[1].name == "frequency_rpm");
   for (const auto& point : grid.points) {
