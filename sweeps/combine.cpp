@@ -152,10 +152,13 @@ store::TableRow combine_records(const std::vector<Record>& replicates) {
     row.scalars.push_back({scalar.name, scalar.unit, combined_scalar(replicates, scalar.name)});
   }
   for (const auto& record : replicates) {
-    row.stationary_fraction += record.stationary / count;
-    row.at_rest_fraction += record.at_rest / count;
+    row.stationary_fraction += record.stationary;
+    row.at_rest_fraction += record.at_rest;
     row.cycles += scalar_of(record, "cycles", 0);
   }
+  // Divided once: all of six are 1, and not six sixths of rounding.
+  row.stationary_fraction /= count;
+  row.at_rest_fraction /= count;
   row.replicates = static_cast<int>(replicates.size());
   row.reason = reason_of(replicates);
   return row;

@@ -14,17 +14,21 @@ using files::number_text;
 using simulator::Estimate;
 using simulator::Record;
 
-/// Measured columns, whether or not the bed's dimension has them.
+/// Measured columns, whether or not the bed has them. An empty box has no temperature over time, but
+/// counts as cold at an instant.
 struct Measured {
   const char* name;
   const char* unit;
-  bool is_temperature;
+  bool needs_grains;
 };
-constexpr std::array<Measured, 5> measured{{{"grains_in_box", "1", false},
+constexpr std::array<Measured, 6> measured{{{"grains_in_box", "1", false},
                                             {"phi", "1", false},
                                             {"T_x", "m g d", true},
                                             {"T_y", "m g d", true},
-                                            {"T_z", "m g d", true}}};
+                                            {"T_z", "m g d", true},
+                                            {"T_z_instant", "m g d", false}}};
+
+constexpr std::size_t T_z = 4;
 
 const simulator::ProfileColumn* column_of(const Record& record, const std::string& name) {
   for (const auto& column : record.profile.columns) {
@@ -53,11 +57,11 @@ Estimate combined_at(const std::vector<Record>& replicates, const Measured& what
     if (column == nullptr) continue;
     const std::size_t box = box_at(record, z);
     const bool reached = box < record.profile.z.size();
-    if (!reached && what.is_temperature) continue;
+    if (!reached && what.needs_grains) continue;
     const Estimate here =
         reached ? Estimate{column->mean[box], column->standard_error[box]} : Estimate{0, 0};
     // A box with fewer than two centres has no temperature; the record says 0.
-    if (what.is_temperature && here.mean == 0) continue;
+    if (what.needs_grains && here.mean == 0) continue;
     found.push_back({here, cycles_of(record)});
   }
   return combine(found).estimate;
@@ -117,8 +121,8 @@ void ProfileTable::add(const Point& point, const std::vector<Record>& replicates
       cells.push_back(number_text(estimate.standard_error));
     }
     const double scale = 2 / (V_p * V_p);
-    cells.push_back(number_text(here.back().mean * scale));
-    cells.push_back(number_text(here.back().standard_error * scale));
+    cells.push_back(number_text(here[T_z].mean * scale));
+    cells.push_back(number_text(here[T_z].standard_error * scale));
     cells.push_back(number_text(combined.stationary_fraction));
     cells.push_back(number_text(combined.at_rest_fraction));
     table_.add_row(std::move(cells));

@@ -21,7 +21,7 @@ inline constexpr double least_share_of_grains = 1e-5;
 /// T_z also as 2 T_z/(m V_p^2); `stationary` and `at_rest` of the point.
 ///
 /// Replicates are combined box by box as in combine.hpp. A temperature is known only where some
-/// replicate saw two centres; phi and the number of centres are 0 where a replicate saw none.
+/// replicate saw two centres; phi, T_z_instant and the number of centres are 0 where it saw none.
 class ProfileTable {
  public:
   explicit ProfileTable(const Grid& grid);

@@ -3,7 +3,7 @@ load 'style.gp'
 set multiplot
 set tmargin at screen 0.965
 set bmargin at screen 0.135
-set xrange [0:95]
+set xrange [0:145]
 set yrange [0:*]
 set xlabel '{/:Italic W} = {/:Italic V}_p^2 / ({/:Italic d g})'
 

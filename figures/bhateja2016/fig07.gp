@@ -24,7 +24,7 @@ set ytics auto
 set yrange [0:*]
 set xlabel '{/:Italic W} = {/:Italic V}_p^2 / ({/:Italic d g})'
 set ylabel '2{/:Italic T}_z / ({/:Italic m g} Δ{/:Italic h}_{cm}),   {/:Italic T}_z by Eq. (5)' offset 0.3
-set key at graph 0.985, 0.97 right top Left reverse samplen 1.5
+set key at graph 0.985, 0.05 right bottom Left reverse samplen 1.5
 y(n) = column(points_T_z_twice_over_delta_h_cm)
 se(n) = column(points_T_z_twice_over_delta_h_cm_se)
 # A bed that has hardly risen has a ratio of no meaning; marked points are drawn on the axis.

@@ -3,7 +3,7 @@
 load 'style.gp'
 load 'series.gp'
 set multiplot
-set tmargin at screen 0.965
+set tmargin at screen 0.93
 set bmargin at screen 0.145
 set xlabel '{/:Italic z} / {/:Italic d}'
 set xrange [0:*]
@@ -19,10 +19,10 @@ steady_box(value) = strcol(boxes_state) eq 'steady' ? value : NaN
 marked_box(value) = strcol(boxes_state) ne 'steady' ? value : NaN
 do for [panel = 1:2] {
   s = panel + 2
-  set lmargin at screen 0.075 + 0.48 * (panel - 1)
-  set rmargin at screen 0.485 + 0.48 * (panel - 1)
+  set lmargin at screen 0.095 + 0.48 * (panel - 1)
+  set rmargin at screen 0.495 + 0.48 * (panel - 1)
   set ylabel (panel == 1 ? 'φ({/:Italic z})' : '') offset 0.5
-  set label 1 (panel == 1 ? '(a) ' : '(b) ') . systems[s] at graph 0.12, 0.95
+  set title (panel == 1 ? '(a) ' : '(b) ') . systems[s] offset 0, -0.7
   plot for [k = 1:n] boxes using (here(of_W(k, steady_box(column(boxes_z))))):(column(boxes_phi)):(column(boxes_phi_se)) \
          with yerrorlines pointtype shape(k) pointsize 0.5 linecolor rgb tone(k, n) linewidth 1.2 title '{/:Italic W} = ' . word(list, k), \
        for [k = 1:n] boxes using (here(of_W(k, marked_box(column(boxes_z))))):(column(boxes_phi)) \

@@ -16,14 +16,15 @@ do for [panel = 1:4] {
   s = panel
   set lmargin at screen (panel % 2 == 1 ? 0.085 : 0.585)
   set rmargin at screen (panel % 2 == 1 ? 0.485 : 0.985)
-  set tmargin at screen (panel < 3 ? 0.985 : 0.485)
+  set tmargin at screen (panel < 3 ? 0.96 : 0.46)
   set bmargin at screen (panel < 3 ? 0.585 : 0.085)
-  set label 1 word('(a) (b) (c) (d)', panel) . ' ' . systems[s] at graph 0.35, 0.94
-  if (panel == 1) { set key at graph 0.98, 0.90 right top Left reverse font ',11' samplen 1.5 maxrows 4 } else { unset key }
+  set title word('(a) (b) (c) (d)', panel) . ' ' . systems[s] offset 0, -0.7
+  if (panel == 4) { set key at graph 0.98, 0.80 right top Left reverse font ',11' samplen 1.5 maxrows 4 } else { unset key }
   plot for [k = 1:7] boxes using (here(k, steady_box(column(boxes_W)))):(column(boxes_T_z_twice_scaled)):(column(boxes_T_z_twice_scaled_se)) \
-         with yerrorlines pointtype shape(k) pointsize 0.6 linecolor rgb tone(k, 7) linewidth 1.2 title '{/:Italic z} = ' . sprintf('%g {/:Italic d}', heights[k]), \
+         with yerrorlines pointtype shape(k) pointsize 0.6 linecolor rgb tone(k, 7) linewidth 1.2 notitle, \
        for [k = 1:7] boxes using (here(k, marked_box(column(boxes_W)))):(column(boxes_T_z_twice_scaled)) \
          with points pointtype open_shape(k) pointsize 0.8 linecolor rgb tone(k, 7), \
+       for [k = 1:7] keyentry with linespoints pointtype shape(k) pointsize 0.6 linecolor rgb tone(k, 7) linewidth 1.2 title '{/:Italic z} = ' . sprintf('%g {/:Italic d}', heights[k]), \
        keyentry with points pointtype 6 pointsize 0.8 linecolor rgb grey title 'not stationary'
 }
 unset multiplot

@@ -67,12 +67,30 @@ const char* component_name(int dimension, int component) {
 }  // namespace
 
 template <int D>
-HeightProfile<D>::HeightProfile(double lowest, double area) : lowest_(lowest), area_(area) {}
+HeightProfile<D>::HeightProfile(double lowest, double area, LocalMean local_mean)
+    : lowest_(lowest), area_(area), local_mean_(local_mean) {}
 
 template <int D>
 void HeightProfile<D>::grow(std::size_t boxes) {
   boxes_ = boxes;
   current_.resize(boxes_ * stride, 0.0);
+  if (local_mean_ == LocalMean::instant) instant_.resize(boxes_ * stride, 0.0);
+}
+
+template <int D>
+void HeightProfile<D>::fold_instant() {
+  for (std::size_t k = 0; k < boxes_; ++k) {
+    double* here = instant_.data() + k * stride;
+    const double count = here[0];
+    if (count == 0) continue;
+    double* sums = current_.data() + k * stride;
+    sums[0] += count;
+    for (int c = 0; c < D; ++c) {
+      const double mean = here[1 + 2 * c] / count;
+      if (count >= 2) sums[2 + 2 * c] += here[2 + 2 * c] / count - mean * mean;
+    }
+    std::fill(here, here + stride, 0.0);
+  }
 }
 
 template <int D>
@@ -127,8 +145,10 @@ double HeightProfile<D>::height_below_which(const Sums& sums, double fraction) c
 }
 
 template <int D>
-double HeightProfile<D>::local_temperature(const Sums& sums, std::size_t box, int component) const {
+double HeightProfile<D>::local_temperature(const Sums& sums, double samples, std::size_t box,
+                                           int component) const {
   const double* s = sums.data() + box * stride;
+  if (local_mean_ == LocalMean::instant) return 0.5 * s[2 + 2 * component] / samples;
   if (s[0] < 2) return 0;
   const double mean = s[1 + 2 * component] / s[0];
   return 0.5 * (s[2 + 2 * component] / s[0] - mean * mean);
@@ -145,7 +165,7 @@ std::vector<double> HeightProfile<D>::volume_averages(const Sums& sums, double h
     grains += sums[k * stride];
     if (top <= bottom) continue;
     for (int c = 0; c < D; ++c) {
-      averages[c] += (top - bottom) * local_temperature(sums, k, c) / height;
+      averages[c] += (top - bottom) * local_temperature(sums, samples, k, c) / height;
     }
   }
   for (int c = 0; c < D; ++c) averages[D] += averages[c] / D;
@@ -176,7 +196,7 @@ typename HeightProfile<D>::Summary HeightProfile<D>::summarise() const {
     for (std::size_t k = 0; k < boxes_; ++k) {
       values.push_back(sums[k * stride] / n);
       values.push_back(sums[k * stride + stride - 1] / n * grain_size / area_);
-      for (int c = 0; c < D; ++c) values.push_back(local_temperature(sums, k, c));
+      for (int c = 0; c < D; ++c) values.push_back(local_temperature(sums, n, k, c));
     }
     return values;
   });

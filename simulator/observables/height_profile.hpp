@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "simulator/boundary/base.hpp"
 #include "simulator/dimension.hpp"
 #include "simulator/grains/grains.hpp"
 #include "simulator/record.hpp"
@@ -18,26 +19,38 @@ double part_below(double s);
 /// sphere-slab intersection. Sums are kept in at most 32 blocks of equal duration, merged in pairs
 /// when full, so that memory is bounded and errors come from blocks long compared with the
 /// correlation time.
+///
+/// The local temperature T_c of a box is m/2 times the variance of its grains' v_c, with the mean
+///   time:     over all its grains at all times, so that T_c = m(<v_c^2> - <v_c>^2)/2;
+///   instant:  over its grains at each instant; the variances of all instants are averaged, and a
+///             box with fewer than two grains counts as cold.
+/// The second is what a program gets that computes a temperature box by box and averages it in
+/// time. It is lower, by (n - 1)/n with n grains in the box, and vanishes where the bed is dilute.
 template <int D>
 class HeightProfile {
  public:
-  HeightProfile(double lowest, double area);
+  enum class LocalMean { time, instant };
+  HeightProfile(double lowest, double area, LocalMean local_mean = LocalMean::time);
 
+  /// Heights and velocities are taken relative to `origin` (the base, or the lab by default).
   template <class GrainState>
-  void sample(const GrainState& grains) {
+  void sample(const GrainState& grains, const BaseState& origin = {0, 0}) {
+    constexpr int vertical = Dimension<D>::vertical;
+    Sums& target = local_mean_ == LocalMean::time ? current_ : instant_;
     for (std::size_t i = 0; i < grains.count(); ++i) {
-      const double above = grains.position[Dimension<D>::vertical][i] - lowest_;
+      const double above = grains.position[vertical][i] - origin.height - lowest_;
       const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
       if (box + 2 > boxes_) grow(box + 2);
-      double* sums = current_.data() + box * stride;
+      double* sums = target.data() + box * stride;
       sums[0] += 1;
       for (int c = 0; c < D; ++c) {
-        const double v = grains.velocity[c][i];
+        const double v = grains.velocity[c][i] - (c == vertical ? origin.velocity : 0);
         sums[1 + 2 * c] += v;
         sums[2 + 2 * c] += v * v;
       }
       spread_volume(box, above - static_cast<double>(box) - 0.5);
     }
+    if (local_mean_ == LocalMean::instant) fold_instant();
     ++samples_;
   }
 
@@ -58,15 +71,18 @@ class HeightProfile {
   using Sums = std::vector<double>;
 
   void grow(std::size_t boxes);
+  void fold_instant();
   void spread_volume(std::size_t box, double offset);
   double height_below_which(const Sums& sums, double fraction) const;
-  double local_temperature(const Sums& sums, std::size_t box, int component) const;
+  double local_temperature(const Sums& sums, double samples, std::size_t box, int component) const;
   std::vector<double> volume_averages(const Sums& sums, double height, double samples) const;
 
   double lowest_;
   double area_;
+  LocalMean local_mean_;
   std::size_t boxes_ = 0;
-  Sums current_;
+  Sums instant_;  ///< of one sample; `instant` alone
+  Sums current_;  ///< of one block; `instant`: variances stand in place of v^2
   long samples_ = 0;
   long cycles_in_current_ = 0;
   long cycles_per_block_ = 1;

@@ -24,6 +24,12 @@ std::vector<Series> observables() {
   return all;
 }
 
+/// The bottom of the lowest box, which no grain's centre is below.
+double lowest_box(const Scene& scene) {
+  const bool lab = scene.protocol.profile.frame == Scene::ProfileChoice::Frame::lab;
+  return lab ? -std::ceil(scene.base.drive.amplitude) : 0;
+}
+
 Estimate scaled(const Estimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
@@ -40,8 +46,12 @@ template <int D>
 Measurement<D>::Measurement(const Scene& scene, double rest_height)
     : scene_(scene),
       rest_height_(rest_height),
-      profile_(-std::ceil(scene.base.drive.amplitude), scene.cell_area()),
-      series_(observables<D>()) {}
+      profile_(lowest_box(scene), scene.cell_area()),
+      series_(observables<D>()) {
+  if (!scene.protocol.profile.instant) return;
+  instant_profile_.emplace(lowest_box(scene), scene.cell_area(),
+                           HeightProfile<D>::LocalMean::instant);
+}
 
 template <int D>
 void Measurement<D>::end_cycle(const EnergyLedger& ledger) {
@@ -51,6 +61,8 @@ void Measurement<D>::end_cycle(const EnergyLedger& ledger) {
   cycle.push_back((ledger.dissipation - last_.dissipation) / period);
   series_.push(cycle);
   profile_.end_cycle();
+  if (instant_profile_) instant_profile_->end_cycle();
+  sampled_phases_ = 0;
   last_ = ledger;
 }
 
@@ -143,6 +155,27 @@ void Measurement<D>::write_volume_averages(Record& record) const {
   record.profile = std::move(summary.profile);
 }
 
+/// The same boxes as the profile's, in columns of their own.
+template <int D>
+void Measurement<D>::write_instant_profile(Record& record) const {
+  if (!instant_profile_) return;
+  const auto summary = instant_profile_->summarise();
+  for (const auto& column : summary.profile.columns) {
+    if (!column.name.starts_with("T_")) continue;
+    record.profile.columns.push_back(column);
+    record.profile.columns.back().name += "_instant";
+  }
+  auto names = component_names<D>();
+  names.push_back("T");
+  const double v = scene_.base.drive.peak_velocity();
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const auto& estimate = summary.volume_temperature[c];
+    record.quantities.push_back({names[c] + "_volume_instant", "m g d", estimate});
+    record.quantities.push_back(
+        {names[c] + "_volume_instant_scaled", "m V_p^2", scaled(estimate, 1 / (v * v))});
+  }
+}
+
 template <int D>
 void Measurement<D>::judge_stationarity(Record& record) const {
   record.at_rest = at_rest();
@@ -209,6 +242,7 @@ void Measurement<D>::write(Record& record, const EnergyLedger& ledger, double en
   const auto& drive = scene_.base.drive;
   write_temperatures(record);
   write_volume_averages(record);
+  write_instant_profile(record);
   const auto h_cm = mean_of_series(values_of("h_cm")).estimate;
   const auto delta = mean_of_series(values_of("delta_h_cm")).estimate;
   record.quantities.push_back({"h_cm", "d", h_cm});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ class Measurement {
   template <class GrainState>
   void sample(const GrainState& grains) {
     temperature_.sample(grains);
-    profile_.sample(grains);
+    const BaseState origin = next_origin();
+    profile_.sample(grains, origin);
+    if (instant_profile_) instant_profile_->sample(grains, origin);
   }
 
   /// Closes a cycle; the ledger's totals are those since measuring began.
@@ -49,17 +52,28 @@ class Measurement {
   static constexpr std::size_t lab = D, height = 2 * D, base_power = 2 * D + 1,
                                dissipation_power = 2 * D + 2;
 
+  /// Where profiles are taken from at the next of the cycle's equal phases, 1/n, 2/n, ... 1.
+  BaseState next_origin() {
+    if (scene_.protocol.profile.frame == Scene::ProfileChoice::Frame::lab) return {0, 0};
+    const auto& drive = scene_.base.drive;
+    const double phase = static_cast<double>(++sampled_phases_) / phases_per_cycle;
+    return BaseMotion{drive.amplitude, drive.peak_velocity()}.at(phase);
+  }
+
   std::vector<double> values_of(const std::string& quantity) const;
   void write_temperatures(Record& record) const;
   void write_volume_averages(Record& record) const;
+  void write_instant_profile(Record& record) const;
   void judge_stationarity(Record& record) const;
   /// A ledger that does not close makes every other number doubtful.
   void check_ledger(Record& record, const EnergyLedger& ledger, double residual) const;
 
   Scene scene_;
   double rest_height_;
+  int sampled_phases_ = 0;  ///< of this cycle, when the base's frame is asked for
   TemperatureSums<D> temperature_;
   HeightProfile<D> profile_;
+  std::optional<HeightProfile<D>> instant_profile_;  ///< when the scene asks for it
   CycleSeries series_;
   EnergyLedger last_;
 };

@@ -204,6 +204,11 @@ void read_protocol(SceneValues& values, Scene& scene) {
   const auto contacts = values.word("protocol.contacts").value_or("auto");
   if (contacts == "fine") protocol.contacts = ContactOperator::fine;
   if (contacts == "closed") protocol.contacts = ContactOperator::closed;
+
+  if (values.word("protocol.profile.frame") == "base") {
+    protocol.profile.frame = Scene::ProfileChoice::Frame::base;
+  }
+  protocol.profile.instant = values.boolean("protocol.profile.instant").value_or(false);
 }
 
 void read_snapshots(SceneValues& values, Scene& scene) {

@@ -113,6 +113,11 @@ const std::vector<Key>& table() {
       {"protocol.contacts", word, "", any_value, {"auto", "fine", "closed"}, false, "auto",
        "of the event engine: fine steps through every contact; closed (and auto) takes isolated "
        "ones in one stride by their exact solution"},
+      {"protocol.profile.frame", word, "", any_value, {"lab", "base"}, false, "lab",
+       "heights and velocities of profiles: in the lab, or relative to the base"},
+      {"protocol.profile.instant", boolean, "", any_value, {}, false, "false",
+       "beside local temperatures about a box's mean velocity over all time also those about its "
+       "mean at each instant, where a box with fewer than two grains counts as cold"},
       {"protocol.snapshots.phases", numbers, "cycles", Range{0, 1, false, true}, {}, false, "none",
        "phases of the drive at which positions, velocities and contacts are kept; at 0 the base "
        "passes its mean height upwards"},

@@ -59,6 +59,13 @@ struct Scene {
     double fraction;       ///< 0.01 for "1 %": standard error over mean
   };
 
+  /// How height profiles are taken (observables/height_profile.hpp).
+  struct ProfileChoice {
+    enum class Frame { lab, base };
+    Frame frame = Frame::lab;
+    bool instant = false;  ///< local temperatures of instants beside those over all time
+  };
+
   struct Protocol {
     std::optional<double> settle;      ///< time given to settle [sqrt(d/g)]; empty: until at rest
     std::optional<long> transient;     ///< cycles discarded; empty: from W and A/d
@@ -69,6 +76,7 @@ struct Scene {
     bool allow_coarse_time_step = false;  ///< accept dt > t_c/5
     Engine engine = Engine::automatic;
     ContactOperator contacts = ContactOperator::automatic;
+    ProfileChoice profile;
 
     /// Snapshots at these phases [cycles, in [0, 1)] of the first measured cycles.
     struct Snapshots {

@@ -44,6 +44,14 @@ std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& pa
     warn("overlaps up to about " + rounded(overlap) +
          " d are to be expected; hard grains need a larger contact.stiffness");
   }
+  const double advised = automatic_stiffness(scene);
+  if (const auto k_n = scene.contact.stiffness;
+      k_n && scene.grains.layers > 4 && *k_n < advised / 2) {
+    warn("contact.stiffness = " + rounded(*k_n) + " is soft for a bed of " +
+         rounded(scene.grains.layers) +
+         " layers at this V_p, whose weight and momentum rest on its " +
+         "lowest grains; `auto` would take " + rounded(advised));
+  }
   if (const double angle = drive_angle_in_contact(scene, parameters); angle > soft_angle) {
     warn("a contact lasts " + rounded(angle) +
          " rad of the drive's cycle: the softness of the grains shapes the result");

@@ -30,6 +30,10 @@ TEST_CASE("Each doubtful bed is warned of, its neighbour is not") {
   CHECK(warned({{"contact.stiffness", "2e3"}}, "overlaps"));
   CHECK_FALSE(warned({{"contact.stiffness", "2e5"}}, "overlaps"));
   CHECK(warned({{"contact.stiffness", "1e4"}}, "softness"));
+  // Twenty layers on the k_n that `auto` gives four (2e4 m V_p^2/d^2 at W = 22.36).
+  CHECK(warned({{"grains.layers", "20"}, {"contact.stiffness", "447200"}}, "bed of 20 layers"));
+  CHECK_FALSE(warned({{"grains.layers", "20"}, {"contact.stiffness", "2.3e6"}}, "layers"));
+  CHECK_FALSE(warned({{"grains.layers", "4"}, {"contact.stiffness", "447200"}}, "layers"));
   CHECK(warned({{"base.drive.W", "0.99"}}, "stays at rest"));
   CHECK_FALSE(warned({{"base.drive.W", "1.01"}}, "stays at rest"));
   CHECK(warned({{"grains.restitution", "1"}}, "heats up"));

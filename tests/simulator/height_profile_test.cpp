@@ -142,6 +142,31 @@ TEST_CASE("profile: the local temperature is about the local mean velocity") {
   CHECK(column(result, "T_z").mean[0] == Approx(0.5));
 }
 
+// Of two instants with speeds (1, 3) and one with a lone grain: variances 1, 1 and none, so
+// T = (1 + 1 + 0)/(2 * 3); about the mean over time the same grains have another one.
+TEST_CASE("profile: a temperature box by box and instant by instant counts lone grains as cold") {
+  HeightProfile<3> profile(0, 1, HeightProfile<3>::LocalMean::instant);
+  profile.sample(grains_at<3>({0.5, 0.5}, {1, 3}));
+  profile.sample(grains_at<3>({0.5, 0.5}, {-1, 1}));
+  profile.sample(grains_at<3>({0.5}, {7}));
+  profile.end_cycle();
+  const auto result = profile.summarise().profile;
+  CHECK(column(result, "T_z").mean[0] == Approx(2.0 / 6));
+  CHECK(column(result, "grains_in_box").mean[0] == Approx(5.0 / 3));
+}
+
+// Heights and velocities relative to a base that moves: grains riding on it are cold and low.
+TEST_CASE("profile: the base's frame moves with the base") {
+  HeightProfile<3> profile(0, 1);
+  profile.sample(grains_at<3>({1.5, 1.5}, {2, 2}), {1, 2});
+  profile.sample(grains_at<3>({-0.5, -0.5}, {-2, -2}), {-1, -2});
+  profile.end_cycle();
+  const auto result = profile.summarise().profile;
+  CHECK(result.z.front() == 0.5);
+  CHECK(column(result, "grains_in_box").mean[0] == 2);
+  CHECK(column(result, "T_z").mean[0] == 0);
+}
+
 // For a plain mean the jackknife is the classical standard error s/sqrt(B).
 TEST_CASE("profile: jackknife errors of counts are the classical ones") {
   HeightProfile<3> profile(0, 1);

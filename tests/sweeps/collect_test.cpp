@@ -1,6 +1,7 @@
 #include "sweeps/collect.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "sweeps/ensemble.hpp"
 #include "tests/sweeps/small_sweep.hpp"
@@ -97,6 +98,55 @@ TEST_CASE("Collecting an empty cache makes no cache") {
   const Cache cache(small.folder.path() / "cache");
   CHECK(sweeps::collect(grid, cache).runs_present == 0);
   CHECK_FALSE(std::filesystem::exists(cache.folder()));
+}
+
+// Two boxes; the second only where the seed is even, so that replicates reach different heights.
+simulator::Record record_with_profile(const simulator::Scene& scene) {
+  auto record = pretended_record(scene);
+  const bool high = scene.seed % 2 == 0;
+  auto& profile = record.profile;
+  profile.z = high ? std::vector<double>{0.5, 1.5} : std::vector<double>{0.5};
+  const auto cut = [&](std::vector<double> values) {
+    values.resize(profile.z.size());
+    return values;
+  };
+  profile.columns = {{"grains_in_box", "1", cut({8, 2}), cut({0.1, 0.1})},
+                     {"phi", "1", cut({0.4, 0.1}), cut({0.01, 0.01})},
+                     {"T_x", "m g d", cut({1, 3}), cut({0.1, 0.1})},
+                     {"T_z", "m g d", cut({2, 6}), cut({0.1, 0.1})}};
+  return record;
+}
+
+TEST_CASE(
+    "Profiles are one row a box, replicates that reach a box and those that do not combined") {
+  const SmallSweep small;
+  const auto grid = small.grid("axes: [{key: base.drive.W, values: [4, 9]}]\nreplicates: 6\n");
+  const auto runs = sweeps::runs_of(grid);
+  const Cache cache(small.folder.path() / "cache");
+  sweeps::run_ensemble(runs, cache,
+                       [](const auto& scene, const auto&) { return record_with_profile(scene); },
+                       {1, {}, nullptr});
+  CHECK(sweeps::collect(grid, cache).profiles.rows() == 0);
+  const auto table = sweeps::collect(grid, cache, sweeps::With::averages_and_profiles).profiles;
+  int high = 0;
+  for (int r = 0; r < 6; ++r) high += runs[r].scene.seed % 2 == 0;
+  REQUIRE(high > 0);
+  REQUIRE(high < 6);
+  REQUIRE(table.rows() == 4);
+  const auto at = [&](std::size_t row, const char* name) {
+    return table.number(row, table.column(name));
+  };
+  CHECK(at(0, "z") == 0.5);
+  CHECK(at(0, "grains_in_box") == Approx(8));
+  // An empty box counts as no grains, but not as cold ones.
+  CHECK(at(1, "z") == 1.5);
+  CHECK(at(1, "grains_in_box") == Approx(2.0 * high / 6));
+  CHECK(at(1, "T_z") == Approx(6));
+  CHECK(at(1, "T_z_twice_scaled") == Approx(2 * 6 / 4.0));
+  CHECK(at(3, "T_z_twice_scaled") == Approx(2 * 6 / 9.0));
+  CHECK(std::isnan(at(0, "T_y")));
+  CHECK(std::isnan(at(0, "T_z_instant")));
+  CHECK(at(0, "stationary") == 1);
 }
 
 }  // namespace

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "simulator/simulate.hpp"
+#include "sweeps/cost_model.hpp"
+#include "sweeps/grid.hpp"
+
+namespace shakebed::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::path(SHAKEBED_SWEEPS_FOLDER) / "bhateja2016";
+
+std::vector<fs::path> sweep_files() {
+  std::vector<fs::path> files;
+  for (const auto& item : fs::directory_iterator(folder)) {
+    const auto name = item.path().filename();
+    if (item.path().extension() == ".yaml" && name != "scene.yaml") files.push_back(item.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+double mean_of(const simulator::Record& record, const std::string& name) {
+  for (const auto& quantity : record.quantities) {
+    if (quantity.name == name) return quantity.estimate.mean;
+  }
+  return std::nan("");
+}
+
+TEST_CASE("Every sweep of the paper has its profiles, and quick is a part of paper") {
+  for (const auto& file : sweep_files()) {
+    CAPTURE(file.filename());
+    const auto paper = sweeps::read_grid(file, "paper");
+    const auto shipped = sweeps::read_grid(file, "shipped");
+    const auto quick = sweeps::read_grid(file, "quick");
+    CHECK(shipped.points.size() == paper.points.size());
+    CHECK(quick.points.size() <= paper.points.size());
+    for (const auto& point : paper.points) {
+      REQUIRE(point.scene.protocol.until);
+      CHECK(point.scene.protocol.until->fraction <= 0.005);
+    }
+  }
+  CHECK(sweeps::read_grid(folder / "map.yaml", "paper").points.size() >= 2000);
+}
+
+// A sample of each quick profile: its cheapest bed, for a few cycles.
+TEST_CASE("A bed of every quick profile moves and is measured") {
+  for (const auto& file : sweep_files()) {
+    const auto quick = sweeps::read_grid(file, "quick");
+    auto scene =
+        std::ranges::min_element(quick.points, {}, [](const sweeps::Point& point) {
+          return point.scene.Gamma() < 1.5 ? 1e9 : sweeps::predicted_cpu_seconds(point.scene);
+        })->scene;
+    CAPTURE(file.filename(), scene.W());
+    scene.protocol.until.reset();
+    scene.protocol.cycles = 24;
+    scene.protocol.transient = 8;
+    const auto record = simulator::simulate(scene);
+    CHECK(mean_of(record, "T_z") > 0.01);
+    double grains = 0;
+    for (const double here : record.profile.columns[0].mean) grains += here;
+    CHECK(grains == Approx(scene.grains.count).epsilon(1e-9));
+  }
+}
+
+// A box's mean velocity over all time is zero in a steady bed, so that the boxes' temperatures,
+// each times its grains, add up to the lab's; over 1000 cycles what is left of the mean is 1 % or
+// less.
+TEST_CASE("The profile of a bed of Fig. 11 adds up to its kinetic energy") {
+  auto grid = sweeps::read_grid(folder / "amplitude.yaml", "quick");
+  auto& scene = grid.points.back().scene;
+  scene.protocol.until.reset();
+  scene.protocol.cycles = 1000;
+  const auto record = simulator::simulate(scene);
+  double energy = 0;
+  for (const auto& column : record.profile.columns) {
+    if (column.name != "T_z") continue;
+    for (std::size_t k = 0; k < record.profile.z.size(); ++k) {
+      energy += record.profile.columns[0].mean[k] * column.mean[k];
+    }
+  }
+  CHECK(energy == Approx(scene.grains.count * mean_of(record, "T_z_lab")).epsilon(0.02));
+}
+
+}  // namespace
+}  // namespace shakebed::tests
