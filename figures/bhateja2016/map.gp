@@ -13,18 +13,18 @@ n_mu = words(frictions)
 of_fit(name, value) = strcol(exponents_fit) eq name ? value : NaN
 of_mu(m, value) = strcol(exponents_mu_p) eq word(frictions, m) ? value : NaN
 set tmargin at screen 0.95
-set bmargin at screen 0.60
-set xlabel '{/:Italic N}'
+set bmargin at screen 0.63
+set xlabel '{/:Italic N}' offset 0, 0.6
 set xrange [0.2:8.8]
 set yrange [0.71:0.99]
 set offsets 0, 0, 0, 0
 do for [m = 1:n_mu] {
-  set lmargin at screen 0.06 + 0.86 / n_mu * (m - 1)
-  set rmargin at screen 0.05 + 0.86 / n_mu * m
+  set lmargin at screen 0.075 + 0.845 / n_mu * (m - 1)
+  set rmargin at screen 0.065 + 0.845 / n_mu * m
   set title 'μ_p = ' . word(frictions, m) offset 0, -0.7
-  set ylabel (m == 1 ? '{/:Italic e}_p' : '')
+  set ylabel (m == 1 ? '{/:Italic e}_p' : '') offset 0.5
   set format y (m == 1 ? '%g' : '')
-  if (m == n_mu) { set colorbox user origin screen 0.935, screen 0.60 size screen 0.015, screen 0.35; set cblabel 'α over 4 ≤ {/:Italic W} ≤ 16' offset 0.5 } else { unset colorbox }
+  if (m == n_mu) { set colorbox user origin screen 0.935, screen 0.63 size screen 0.015, screen 0.32; set cblabel 'α over 4 ≤ {/:Italic W} ≤ 16' offset 0.5 } else { unset colorbox }
   plot exponents using (of_fit('alpha-4-to-16', of_mu(m, column(exponents_N)))):(column(exponents_e_p)):(column(exponents_alpha)) \
          with points pointtype 5 pointsize 2.6 linecolor palette
 }
@@ -34,12 +34,12 @@ unset colorbox
 
 set tmargin at screen 0.52
 set bmargin at screen 0.09
-set lmargin at screen 0.06
+set lmargin at screen 0.075
 set rmargin at screen 0.47
 set logscale xy
 set xrange [0.3:60]
 set yrange [0.1:1.3]
-set xlabel '{/:Italic W} / {/:Italic W}_f'
+set xlabel '{/:Italic W} / {/:Italic W}_f' offset 0, 0
 set ylabel '{/:Italic T}_z/({/:Italic m V}_p^2) over its peak' offset 0.5
 set key at graph 0.03, 0.04 left bottom Left reverse font ',11' samplen 1
 list = ' '
