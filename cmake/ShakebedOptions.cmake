@@ -16,7 +16,9 @@ set(SHAKEBED_PRESET "none" CACHE STRING "The preset's name, for the provenance o
 
 # Flags that can change numbers; build_info reports them with every result. The same binary must
 # give the same bytes on every run: no contraction across statements, and no fast-math anywhere.
-set(SHAKEBED_CODE_FLAGS -march=${SHAKEBED_MACHINE} -ffp-contract=off)
+# (What is switched off beside it, errno and traps, changes no number.)
+set(SHAKEBED_CODE_FLAGS -march=${SHAKEBED_MACHINE} -ffp-contract=off -fno-math-errno
+  -fno-trapping-math)
 if(SHAKEBED_SANITIZE)
   list(APPEND SHAKEBED_CODE_FLAGS -fsanitize=${SHAKEBED_SANITIZE} -fno-omit-frame-pointer)
 endif()
@@ -30,6 +32,7 @@ target_compile_options(shakebed_flags INTERFACE
   # g++ 12 takes `"text" + std::string` for overlapping copies at -O3 (GCC bug 105651).
   -Wno-restrict
   # g++ 12 warns inside its own AVX-512 intrinsics (GCC bug 105593) and of instrumented variables.
+  -Wno-uninitialized
   -Wno-maybe-uninitialized)
 if(SHAKEBED_SANITIZE)
   target_link_options(shakebed_flags INTERFACE -fsanitize=${SHAKEBED_SANITIZE})

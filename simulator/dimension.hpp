@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <type_traits>
 #include <vector>
 
 namespace shakebed::simulator {
@@ -18,15 +19,17 @@ struct Dimension {
   static constexpr int spin_components = D == 2 ? 1 : 3;
 };
 
-template <int D>
-using Vector = Eigen::Matrix<double, D, 1>;
+/// `Number`: double, or lanes of doubles where a law is evaluated for several contacts at once.
+template <int D, class Number = double>
+using Vector = Eigen::Matrix<Number, D, 1>;
 /// Angular velocity or torque: about y in two dimensions.
-template <int D>
-using Spin = Eigen::Matrix<double, Dimension<D>::spin_components, 1>;
+template <int D, class Number = double>
+using Spin = Eigen::Matrix<Number, Dimension<D>::spin_components, 1>;
 
 /// omega x r.
-template <int D>
-inline Vector<D> cross(const Spin<D>& omega, const Vector<D>& r) {
+template <int D, class Number = double>
+inline Vector<D, Number> cross(const std::type_identity_t<Spin<D, Number>>& omega,
+                               const std::type_identity_t<Vector<D, Number>>& r) {
   if constexpr (D == 2) {
     return {omega[0] * r[1], -omega[0] * r[0]};
   } else {
@@ -35,10 +38,11 @@ inline Vector<D> cross(const Spin<D>& omega, const Vector<D>& r) {
 }
 
 /// r x f: a torque.
-template <int D>
-inline Spin<D> moment(const Vector<D>& r, const Vector<D>& f) {
+template <int D, class Number = double>
+inline Spin<D, Number> moment(const std::type_identity_t<Vector<D, Number>>& r,
+                              const std::type_identity_t<Vector<D, Number>>& f) {
   if constexpr (D == 2) {
-    return Spin<D>(r[1] * f[0] - r[0] * f[1]);
+    return Spin<D, Number>(r[1] * f[0] - r[0] * f[1]);
   } else {
     return r.cross(f);
   }

@@ -25,11 +25,11 @@ concept TangentialContactLaw = requires {
 
 /// What a contact does to grain i; grain j (or the base) receives minus the force and, because
 /// both lever arms point at the contact, the same moment n x F_t times its own radius.
-template <int D>
+template <int D, class Number = double>
 struct ContactForce {
-  Vector<D> force;            ///< on i
-  Spin<D> moment_per_radius;  ///< n x F_t; a grain of radius R is turned by R times this
-  double dissipated_power;    ///< >= 0
+  Vector<D, Number> force;            ///< on i
+  Spin<D, Number> moment_per_radius;  ///< n x F_t; a grain of radius R is turned by R times this
+  Number dissipated_power;            ///< >= 0
 };
 
 /// Normal and tangential law of one contact kind.
@@ -42,25 +42,26 @@ struct Contact {
 
   /// Bhateja 2016, Eqs. A3-A8. `n` points from i to j; `v` = v_i - v_j of the centres;
   /// `spin_radius` = omega_i R_i + omega_j R_j, so that the slip velocity is
-  /// v_t = v - (v.n) n + spin_radius x n.
+  /// v_t = v - (v.n) n + spin_radius x n. One contact, or (Number = Lanes) one in each lane.
   // Inlined by force: through memory its small vectors cost more than its arithmetic.
-  [[gnu::always_inline]] inline ContactForce<D> operator()(const Vector<D>& n, double overlap,
-                                                           const Vector<D>& v,
-                                                           const Spin<D>& spin_radius) const {
-    const double closing_speed = v.dot(n);
-    const double normal_force = normal.force(overlap, closing_speed);
-    ContactForce<D> result{-normal_force * n, Spin<D>::Zero(),
-                           normal.dissipated_power(closing_speed)};
+  template <class Number = double>
+  [[gnu::always_inline]] inline ContactForce<D, Number> operator()(
+      const std::type_identity_t<Vector<D, Number>>& n, const Number& overlap,
+      const std::type_identity_t<Vector<D, Number>>& v,
+      const std::type_identity_t<Spin<D, Number>>& spin_radius) const {
+    using std::sqrt;
+    const Number closing_speed = v.dot(n);
+    const Number normal_force = normal.force(overlap, closing_speed);
+    ContactForce<D, Number> result{n * Number(-normal_force), Spin<D, Number>::Zero(),
+                                   normal.dissipated_power(closing_speed)};
     if constexpr (Tangential::turns_grains) {
-      const Vector<D> slip = v - closing_speed * n + cross<D>(spin_radius, n);
-      const double slip_speed = slip.norm();
-      if (slip_speed > 0) {
-        const double ratio = tangential.force_over_slip(slip_speed, normal_force);
-        const Vector<D> tangential_force = -ratio * slip;
-        result.force += tangential_force;
-        result.moment_per_radius = moment<D>(n, tangential_force);
-        result.dissipated_power += ratio * slip_speed * slip_speed;
-      }
+      const Vector<D, Number> slip = v - n * closing_speed + cross<D, Number>(spin_radius, n);
+      const Number slip_squared = slip.squaredNorm();
+      const Number ratio = tangential.force_over_slip(Number(sqrt(slip_squared)), normal_force);
+      const Vector<D, Number> tangential_force = slip * Number(-ratio);
+      result.force += tangential_force;
+      result.moment_per_radius = moment<D, Number>(n, tangential_force);
+      result.dissipated_power += ratio * slip_squared;
     }
     return result;
   }

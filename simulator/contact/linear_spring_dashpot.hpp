@@ -14,10 +14,12 @@ struct LinearSpringDashpot {
   explicit LinearSpringDashpot(const ContactKind& kind)
       : stiffness(kind.stiffness), damping(kind.normal_damping) {}
 
-  double force(double overlap, double closing_speed) const {
+  template <class Number>
+  Number force(const Number& overlap, const Number& closing_speed) const {
     return stiffness * overlap + damping * closing_speed;
   }
-  double dissipated_power(double closing_speed) const {
+  template <class Number>
+  Number dissipated_power(const Number& closing_speed) const {
     return damping * closing_speed * closing_speed;
   }
   double stored_energy(double overlap) const { return 0.5 * stiffness * overlap * overlap; }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "simulator/contact/contact_kind.hpp"
+#include "simulator/lanes.hpp"
 
 namespace shakebed::simulator {
 
@@ -18,10 +18,13 @@ struct ViscousCoulomb {
   explicit ViscousCoulomb(const ContactKind& kind)
       : damping(kind.tangential_damping), friction(kind.friction) {}
 
-  /// F_t / |v_t|: the force is minus this times the slip velocity.
-  double force_over_slip(double slip_speed, double normal_force) const {
+  /// F_t / |v_t|: the force is minus this times the slip velocity. Without slip the quotient is
+  /// infinite or not a number, and the dashpot's (no force) is returned.
+  template <class Number>
+  Number force_over_slip(const Number& slip_speed, const Number& normal_force) const {
+    using std::abs;
     // No branch: which of the two wins is unpredictable in a shaken bed.
-    return std::min(damping, friction * std::abs(normal_force) / slip_speed);
+    return smaller(damping, Number(friction * abs(normal_force) / slip_speed));
   }
 };
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "simulator/motion/lanes.hpp"
+#include "simulator/lanes.hpp"
 
 namespace shakebed::simulator {
 
@@ -24,6 +24,7 @@ class Calendar {
     times_[i] = time;
     const std::size_t b = i / block;
     earliest_[b] = least(&times_[b * block], block);
+    known_ = false;
   }
 
   struct Entry {
@@ -31,7 +32,24 @@ class Calendar {
     double time;
   };
 
-  Entry earliest() const {
+  Entry earliest() {
+    if (!known_) earliest_entry_ = find_earliest();
+    known_ = true;
+    return earliest_entry_;
+  }
+
+  /// What was time T is time 0.
+  void rebase(double T) {
+    for (double& t : times_) t -= T;
+    for (double& t : earliest_) t -= T;
+    known_ = false;
+  }
+
+ private:
+  static constexpr std::size_t block = 64;
+  static constexpr double forever() { return std::numeric_limits<double>::infinity(); }
+
+  Entry find_earliest() const {
     const double time = least(earliest_.data(), earliest_.size());
     const auto b = static_cast<std::size_t>(std::find(earliest_.begin(), earliest_.end(), time) -
                                             earliest_.begin());
@@ -39,16 +57,6 @@ class Calendar {
     const auto k = std::find(first, first + block, time) - times_.begin();
     return {static_cast<std::uint32_t>(k), time};
   }
-
-  /// What was time T is time 0.
-  void rebase(double T) {
-    for (double& t : times_) t -= T;
-    for (double& t : earliest_) t -= T;
-  }
-
- private:
-  static constexpr std::size_t block = 64;
-  static constexpr double forever() { return std::numeric_limits<double>::infinity(); }
 
   static double least(const double* values, std::size_t count) {
     Lanes best = forever();
@@ -60,6 +68,8 @@ class Calendar {
 
   std::vector<double> times_;
   std::vector<double> earliest_;
+  Entry earliest_entry_{};  ///< kept while grains on the grid are stepped and no event changes
+  bool known_ = false;
 };
 
 }  // namespace shakebed::simulator

@@ -5,63 +5,73 @@
 #include <utility>
 #include <vector>
 
-#include "simulator/motion/leapfrog.hpp"
+#include "simulator/motion/contact_batch.hpp"
+#include "simulator/motion/grid_row.hpp"
 #include "simulator/motion/neighbours.hpp"
 
 namespace shakebed::simulator {
 
-/// All grains on the time grid, for when most of them touch. Like the uniform engine, with a
-/// second, inner list: only pairs that can touch within the next few steps, given a cap on every
-/// grain's speed, are looked at. A grain that breaks its cap has the inner list made again at once.
+/// All grains on the time grid, for when many of them touch. Like the uniform engine, with lists
+/// within lists: of the pairs within a skin, those that can touch in the next steps given a cap on
+/// every grain's speed, and of these the ones that can in the very next few. Touching pairs have a
+/// list of their own and are evaluated in batches. A grain that breaks its cap has the lists made
+/// again at once.
 template <class Physics>
 class DenseStepper {
  public:
   static constexpr int D = Physics::dimension;
+  using Row = GridRow<Physics>;
   using PairOfGrains = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// Takes over `grains` at `step` of the run; `touching` and `on_base` name the contacts of that
+  /// Takes over the grains at `step` of the run; `touching` and `on_base` name the contacts of that
   /// step, which go on and do not begin again.
-  DenseStepper(const Physics& physics, LeapfrogGrains<Physics> grains, long step,
+  DenseStepper(const Physics& physics, std::vector<Row> rows, long step,
                const std::vector<PairOfGrains>& touching, const std::vector<std::uint32_t>& on_base)
-      : physics_(physics), grains_(std::move(grains)), search_(physics.cell), step_(step) {
-    base_touched_.assign(grains_.count(), -1);
+      : physics_(physics), rows_(std::move(rows)), search_(physics.cell), step_(step) {
+    base_touched_.assign(rows_.size(), -1);
     for (const auto i : on_base) base_touched_[i] = step;
+    resize(position_, rows_.size());
     rebuild_outer();
-    for (const auto& [i, j] : touching) mark_touching(i, j);
+    mark_touching(touching);
     rebuild_inner();
   }
 
   /// Computes the contacts of the present step from full velocities, as a run begins.
   void begin(EnergyLedger& ledger) {
-    grains_.predicted_velocity = grains_.half_velocity;
-    grains_.predicted_spin = grains_.half_spin;
+    for (Row& row : rows_) row.predicted = row.half;
     accumulate_contacts(ledger);
     const double h = 0.5 * physics_.time_step;
-    for (std::size_t i = 0; i < grains_.count(); ++i) {
-      Vector<D> a = row(grains_.acceleration, i);
-      set_row(grains_.half_velocity, i, Vector<D>(row(grains_.half_velocity, i) - h * a));
-      for (std::size_t c = 0; c < grains_.half_spin.size(); ++c) {
-        grains_.half_spin[c][i] -= h * grains_.spin_acceleration[c][i];
-      }
+    for (Row& row : rows_) {
+      for (std::size_t c = 0; c < Row::width; ++c) row.half[c] -= h * row.change[c];
     }
   }
 
   void step(EnergyLedger& ledger) {
-    if (step_ >= inner_valid_until_ || cap_broken()) refresh_lists();
+    if (step_ >= inner_valid_until_ || cap_broken_) {
+      refresh_lists();
+    } else if (step_ >= imminent_valid_until_) {
+      choose_imminent();
+    }
     ++step_;
-    grains_.kick_drift_predict(physics_);
+    const double dt = physics_.time_step;
+    bool broken = false;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      rows_[i].kick_drift_predict(dt, physics_.gravity);
+      broken |= rows_[i].half_speed_squared() > cap_squared_[i];
+    }
+    cap_broken_ = broken;
     accumulate_contacts(ledger);
   }
 
   long step_number() const { return step_; }
   long touching() const { return touching_; }
-  const LeapfrogGrains<Physics>& grains() const { return grains_; }
+  const std::vector<Row>& rows() const { return rows_; }
 
   bool on_base(std::size_t i) const { return base_touched_[i] == step_; }
   std::vector<PairOfGrains> touching_pairs() const {
     std::vector<PairOfGrains> pairs;
     for (std::size_t k = 0; k < outer_.size(); ++k) {
-      if (touched_[k] == step_) pairs.emplace_back(outer_[k].i, outer_[k].j);
+      if (in_contact_[k]) pairs.emplace_back(outer_[k].i, outer_[k].j);
     }
     return pairs;
   }
@@ -69,12 +79,12 @@ class DenseStepper {
   double elastic_energy() const {
     const BaseState base = physics_.base_at_step(step_ % physics_.steps_per_cycle);
     double energy = 0;
-    for (std::size_t i = 0; i < grains_.count(); ++i) {
-      const double overlap = grains_.base_overlap(i, base);
+    for (const Row& row : rows_) {
+      const double overlap = row.base_overlap(base);
       if (overlap > 0) energy += physics_.grain_base.normal.stored_energy(overlap);
     }
     for (const auto& pair : outer_) {
-      const double overlap = 2 * grain_radius - separation(pair).norm();
+      const double overlap = 2 * grain_radius - separation_of(pair).norm();
       if (overlap > 0) energy += physics_.grain_grain.normal.stored_energy(overlap);
     }
     return energy;
@@ -82,35 +92,8 @@ class DenseStepper {
 
  private:
   static constexpr int vertical = Dimension<D>::vertical;
-  static constexpr long inner_window = 24;
-
-  void accumulate_contacts(EnergyLedger& ledger) {
-    touching_ = 0;
-    const BaseState base = physics_.base_at_step(step_ % physics_.steps_per_cycle);
-    for (const auto i : near_base_) {
-      const double overlap = grains_.base_overlap(i, base);
-      if (overlap <= 0) continue;
-      grains_.touch_base(physics_, i, base, overlap, base_touched_[i] != step_ - 1, ledger);
-      base_touched_[i] = step_;
-      ++touching_;
-    }
-    for (std::size_t n = 0; n < touching_pairs_.size();) {
-      if (touch_if_near(touching_pairs_[n], ledger)) [[likely]] {
-        ++n;
-      } else {
-        move_pair(touching_pairs_, n, candidates_);
-      }
-    }
-    touching_ += static_cast<long>(touching_pairs_.size());
-    for (std::size_t n = 0; n < candidates_.size();) {
-      if (touch_if_near(candidates_[n], ledger)) [[unlikely]] {
-        move_pair(candidates_, n, touching_pairs_);
-        ++touching_;
-      } else {
-        ++n;
-      }
-    }
-  }
+  static constexpr long inner_window = 32;
+  static constexpr long imminent_window = 8;
 
   /// A pair of the inner list, with its own copy of what the outer list knows.
   struct InnerPair {
@@ -118,14 +101,57 @@ class DenseStepper {
     std::uint32_t k;  ///< in outer_
   };
 
-  bool touch_if_near(const InnerPair& inner, EnergyLedger& ledger) {
-    const Vector<D> r = separation(inner.pair);
-    const double rr = r.squaredNorm();
-    if (rr >= 4 * grain_radius * grain_radius) return false;
-    long& touched = touched_[inner.k];
-    grains_.touch_pair(physics_, inner.pair.i, inner.pair.j, r, rr, touched != step_ - 1, ledger);
-    touched = step_;
-    return true;
+  void accumulate_contacts(EnergyLedger& ledger) {
+    const BaseState base = physics_.base_at_step(step_ % physics_.steps_per_cycle);
+    touching_ = touch_base(base, ledger);
+    for (std::size_t n = 0; n < imminent_.size();) {
+      const auto& inner = imminent_[n];
+      if (separation_of(inner.pair).squaredNorm() < 4 * grain_radius * grain_radius) [[unlikely]] {
+        in_contact_[inner.k] = true;
+        ++ledger.collisions;
+        move_pair(imminent_, n, touching_pairs_);
+      } else {
+        ++n;
+      }
+    }
+    touch_pairs(ledger);
+    touching_ += static_cast<long>(touching_pairs_.size());
+  }
+
+  long touch_base(const BaseState& base, EnergyLedger& ledger) {
+    long count = 0;
+    for (const auto i : near_base_) {
+      const double overlap = rows_[i].base_overlap(base);
+      if (overlap <= 0) continue;
+      if (base_touched_[i] != step_ - 1) ++ledger.collisions;
+      base_touched_[i] = step_;
+      ++count;
+      batch_.add_base(rows_.data(), i, base, overlap);
+      if (batch_.full()) batch_.apply_base(physics_, base, rows_.data(), ledger);
+    }
+    batch_.apply_base(physics_, base, rows_.data(), ledger);
+    return count;
+  }
+
+  void touch_pairs(EnergyLedger& ledger) {
+    ended_.clear();
+    std::size_t first = 0;
+    const auto apply = [&] {
+      batch_.apply_pairs(physics_, rows_.data(), ledger,
+                         [&](std::size_t k) { ended_.push_back(first + k); });
+    };
+    for (std::size_t n = 0; n < touching_pairs_.size(); ++n) {
+      const auto& pair = touching_pairs_[n].pair;
+      batch_.add_pair(rows_.data(), pair.i, pair.j, pair.shift);
+      if (!batch_.full()) continue;
+      apply();
+      first = n + 1;
+    }
+    apply();
+    for (auto n = ended_.rbegin(); n != ended_.rend(); ++n) {
+      in_contact_[touching_pairs_[*n].k] = false;
+      move_pair(touching_pairs_, *n, imminent_);
+    }
   }
 
   static void move_pair(std::vector<InnerPair>& from, std::size_t n, std::vector<InnerPair>& to) {
@@ -134,104 +160,115 @@ class DenseStepper {
     from.pop_back();
   }
 
-  Vector<D> separation(const NeighbourPair<D>& pair) const {
-    Vector<D> r;
-    for (int c = 0; c < D; ++c) {
-      r[c] = grains_.position[c][pair.j] - grains_.position[c][pair.i];
-      if (c < Dimension<D>::lateral) r[c] += pair.shift[c];
-    }
-    return r;
-  }
-
-  bool cap_broken() const {
-    double worst = -1;
-    for (std::size_t i = 0; i < grains_.count(); ++i) {
-      double square = 0;
-      for (int c = 0; c < D; ++c)
-        square += grains_.half_velocity[c][i] * grains_.half_velocity[c][i];
-      worst = std::max(worst, square - cap_squared_[i]);
-    }
-    return worst > 0;
+  Vector<D> separation_of(const NeighbourPair<D>& pair) const {
+    return separation(rows_[pair.i], rows_[pair.j], pair.shift);
   }
 
   void refresh_lists() {
     double travelled = 0;
     double fastest = 0;
-    for (std::size_t i = 0; i < grains_.count(); ++i) {
-      travelled = std::max(travelled, (row(grains_.position, i) - row(built_at_, i)).norm());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      travelled = std::max(travelled, (rows_[i].position() - row(built_at_, i)).squaredNorm());
       fastest = std::max(fastest, speed_cap(i));
     }
     const double window = (inner_window + 1) * physics_.time_step;
-    if (travelled + fastest * window > 0.5 * skin_) rebuild_outer();
+    if (std::sqrt(travelled) + fastest * window > 0.5 * skin_) rebuild_outer();
     rebuild_inner();
   }
 
-  /// What a grain may reach within the inner window; beyond it the list is made again.
+  /// What a grain may reach within the inner window; beyond it the lists are made again.
   double speed_cap(std::size_t i) const {
-    return 1.25 * row(grains_.half_velocity, i).norm() + 0.5 * physics_.base.peak_velocity;
+    return 1.25 * std::sqrt(rows_[i].half_speed_squared()) + 0.5 * physics_.base.peak_velocity;
   }
 
   void rebuild_outer() {
     double fastest = 0;
-    for (std::size_t i = 0; i < grains_.count(); ++i) fastest = std::max(fastest, speed_cap(i));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      fastest = std::max(fastest, speed_cap(i));
+      set_row(position_, i, rows_[i].position());
+    }
     const double widest = 0.5 * physics_.cell.narrowest() - 2 * grain_radius;
     constexpr double lasting = 8 * inner_window;
     skin_ = std::clamp(2 * lasting * fastest * physics_.time_step, std::min(0.1, widest),
                        std::min(1.0, widest));
     const auto before = touching_pairs();
-    search_.find(grains_.position, 2 * grain_radius + skin_, outer_);
-    touched_.assign(outer_.size(), -1);
-    for (const auto& [i, j] : before) mark_touching(i, j);
-    built_at_ = grains_.position;
+    search_.find(position_, 2 * grain_radius + skin_, outer_);
+    in_contact_.assign(outer_.size(), false);
+    mark_touching(before);
+    built_at_ = position_;
   }
 
   void rebuild_inner() {
     const double window = (inner_window + 1) * physics_.time_step;
-    caps_.resize(grains_.count());
-    cap_squared_.resize(grains_.count());
+    caps_.resize(rows_.size());
+    cap_squared_.resize(rows_.size());
     near_base_.clear();
-    for (std::uint32_t i = 0; i < grains_.count(); ++i) {
+    for (std::uint32_t i = 0; i < rows_.size(); ++i) {
       caps_[i] = speed_cap(i);
       cap_squared_[i] = caps_[i] * caps_[i];
-      const double gap = grains_.position[vertical][i] - grain_radius - physics_.base.amplitude;
+      const double gap = rows_[i].x[vertical] - grain_radius - physics_.base.amplitude;
       if (gap < caps_[i] * window) near_base_.push_back(i);
     }
     touching_pairs_.clear();
     candidates_.clear();
     for (std::uint32_t k = 0; k < outer_.size(); ++k) {
-      const double reach =
-          2 * grain_radius + 1.05 * window * (caps_[outer_[k].i] + caps_[outer_[k].j]);
-      if (separation(outer_[k]).squaredNorm() >= reach * reach) continue;
-      (touched_[k] == step_ ? touching_pairs_ : candidates_).push_back({outer_[k], k});
+      if (in_contact_[k]) touching_pairs_.push_back({outer_[k], k});
+      if (within_reach(outer_[k], window)) candidates_.push_back({outer_[k], k});
     }
     inner_valid_until_ = step_ + inner_window;
+    cap_broken_ = false;
+    choose_imminent();
   }
 
-  void mark_touching(std::uint32_t i, std::uint32_t j) {
+  bool within_reach(const NeighbourPair<D>& pair, double window) const {
+    const double reach = 2 * grain_radius + 1.05 * window * (caps_[pair.i] + caps_[pair.j]);
+    return separation_of(pair).squaredNorm() < reach * reach;
+  }
+
+  void choose_imminent() {
+    const double window = (imminent_window + 1) * physics_.time_step;
+    imminent_.clear();
+    for (const auto& inner : candidates_) {
+      if (!in_contact_[inner.k] && within_reach(inner.pair, window)) imminent_.push_back(inner);
+    }
+    imminent_valid_until_ = step_ + imminent_window;
+  }
+
+  void mark_touching(std::vector<PairOfGrains> touching) {
+    for (auto& [i, j] : touching) {
+      if (i > j) std::swap(i, j);
+    }
+    std::sort(touching.begin(), touching.end());
     for (std::size_t k = 0; k < outer_.size(); ++k) {
-      const auto& pair = outer_[k];
-      if ((pair.i == i && pair.j == j) || (pair.i == j && pair.j == i)) touched_[k] = step_;
+      const PairOfGrains key = std::minmax(outer_[k].i, outer_[k].j);
+      in_contact_[k] = std::binary_search(touching.begin(), touching.end(), key);
     }
   }
 
   Physics physics_;
-  LeapfrogGrains<Physics> grains_;
+  std::vector<Row> rows_;
   NeighbourSearch<D> search_;
   long step_;
   long touching_ = 0;
   std::vector<NeighbourPair<D>> outer_;
-  std::vector<long> touched_;  ///< the last step at which the outer pair touched
+  std::vector<char> in_contact_;  ///< the outer pair touches at the present step
   // Whether a pair touches cannot be predicted in one mixed list, and a wrong guess costs as much
   // as the force; a contact lasts some fifty steps, so that in lists kept apart it can.
   std::vector<InnerPair> touching_pairs_;
-  std::vector<InnerPair> candidates_;
+  std::vector<InnerPair> candidates_;  ///< the inner list, touching or not
+  std::vector<InnerPair> imminent_;    ///< those apart that may touch before it is chosen again
+  std::vector<std::size_t> ended_;
+  ContactBatch<Physics> batch_;
   std::vector<std::uint32_t> near_base_;
   std::vector<long> base_touched_;
   std::vector<double> caps_;
   std::vector<double> cap_squared_;
+  Columns<D> position_;
   Columns<D> built_at_;
   double skin_ = 0;
   long inner_valid_until_ = 0;
+  long imminent_valid_until_ = 0;
+  bool cap_broken_ = false;
 };
 
 }  // namespace shakebed::simulator

@@ -58,14 +58,13 @@ class EventEngine {
         generation_(start.count(), 0),
         stray_(start.count(), 0),
         state_(start) {
-    LeapfrogGrains<Physics> grains;
-    grains.resize_to(count_);
-    grains.position = start.position;
-    grains.half_velocity = start.velocity;
-    grains.half_spin = start.spin;
-    auto& fall = grains.acceleration[vertical];
-    std::fill(fall.begin(), fall.end(), -physics.gravity);
-    dense_.emplace(physics_, std::move(grains), 0, std::vector<PairOfGrains>{},
+    std::vector<GridRow<Physics>> rows(count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      rows[i].set_flying(row(start.position, i), row(start.velocity, i), row(start.spin, i),
+                         physics);
+      rows[i].half[vertical] = start.velocity[vertical][i];
+    }
+    dense_.emplace(physics_, std::move(rows), 0, std::vector<PairOfGrains>{},
                    std::vector<std::uint32_t>{});
     dense_->begin(ledger_);
     ledger_ = {};
@@ -133,19 +132,25 @@ class EventEngine {
   void step_fine();
   void activate(std::uint32_t i, double t);
   void take_out_of_flight(std::uint32_t i);
-  void regroup();
-  void pull_in_neighbours(std::size_t k);
+  void release_idle();
+  void look_around();
+  void look_around(std::uint32_t k);
+  void take_in_flights(const Vector<D>& x, double cap);
   bool is_ongoing(std::uint32_t grain, double t) const;
   bool near_ongoing(std::size_t k) const;
   void undo(std::uint32_t grain);
+  static void set_predicted(GridRow<Physics>& row, const Motion& now);
+  void set_half(GridRow<Physics>& row, const Motion& now) const;
 
   // Hand-over between events and the dense stepper.
-  bool too_dense() const { return fine_.count() > std::max<std::size_t>(8, count_ * 2 / 5); }
-  void enter_dense(const std::vector<PairOfGrains>& touching);
+  // A hand-over costs as much as some hundred dense steps, so that the two limits lie far apart.
+  bool too_dense() const { return fine_.count() > std::max<std::size_t>(8, count_ * 3 / 10); }
+  bool dilute(long touching) const { return touching <= static_cast<long>(count_) / 50; }
+  void enter_dense();
   void run_dense(long target);
   void leave_dense();
 
-  static constexpr long regroup_window = 24;
+  static constexpr long look_window = 24;  ///< steps between a row's looks around
 
   Physics physics_;
   ContactOperator contacts_;
@@ -163,9 +168,7 @@ class EventEngine {
   std::vector<Ongoing> ongoing_;
   std::vector<double> stray_;  ///< of grains in an ongoing contact: how far from their next flight
   FineContacts<Physics> fine_;
-  std::vector<char> fresh_;                 ///< rows of fine_ about to touch
-  std::vector<PairOfGrains> undone_pairs_;  ///< touching already when they came onto the grid
-  long regroup_at_ = 0;
+  std::vector<char> stays_;  ///< rows of fine_
   std::optional<DenseStepper<Physics>> dense_;
 
   EnergyLedger ledger_;
@@ -179,5 +182,7 @@ class EventEngine {
 
 }  // namespace shakebed::simulator
 
+#include "simulator/motion/events_dense.hpp"
 #include "simulator/motion/events_flying.hpp"
 #include "simulator/motion/events_on_grid.hpp"
+#include "simulator/motion/events_undo.hpp"

@@ -40,11 +40,7 @@ void EventEngine<Physics>::rebase() {
   std::erase_if(ongoing_, [](const Ongoing& contact) { return contact.end() <= 0; });
   epoch_step_ = step_;
   last_event_time_ = -never;
-  double fastest = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (flights_.present(i)) fastest = std::max(fastest, row(flights_.velocity, i).squaredNorm());
-  }
-  fastest_flight_ = std::sqrt(fastest) + physics_.gravity * period() / 32;
+  fastest_flight_ = flights_.fastest() + physics_.gravity * period() / 32;
 }
 
 template <class Physics>
@@ -108,7 +104,7 @@ void EventEngine<Physics>::touch_pair(std::uint32_t i, std::uint32_t j, double t
   ++counters_.fine;
   activate(i, t);
   activate(j, t);
-  regroup();
+  look_around();
 }
 
 template <class Physics>
@@ -116,7 +112,7 @@ void EventEngine<Physics>::touch_base(std::uint32_t i, double t) {
   if (contacts_ != ContactOperator::fine && take_base_in_one_stride(i, t)) return;
   ++counters_.fine;
   activate(i, t);
-  regroup();
+  look_around();
 }
 
 template <class Physics>
@@ -268,6 +264,9 @@ bool EventEngine<Physics>::isolated(const IsolatedGrain<D>* members, std::size_t
     for (std::size_t m = 0; m < count; ++m) {
       Vector<D> r = x - members[m].x;
       for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);
+      // Most are too far to be met at any speed; the closer look is for the others.
+      const double ball = 1 + astray + (members[m].speed_bound() + fastest_flight_) * duration;
+      if (r.squaredNorm() >= ball * ball) continue;
       const Vector<D> u = v - members[m].v;
       if (least_gap(members[m], r, u, duration, overshoot, astray) <= 0) return false;
     }
@@ -278,9 +277,10 @@ bool EventEngine<Physics>::isolated(const IsolatedGrain<D>* members, std::size_t
     if (!clear(k, flights_.position_at(k, t), flights_.velocity_at(k, t), astray)) return false;
   }
   for (std::size_t k = 0; k < fine_.count(); ++k) {
+    const auto& row = fine_.rows[k];
     const double astray =
-        (fine_.speed_cap[k] + physics_.gravity * duration) * (duration + 2 * physics_.time_step);
-    if (!clear(fine_.id[k], row(fine_.grains.position, k), Vector<D>::Zero(), astray)) return false;
+        (row.speed_cap + physics_.gravity * duration) * (duration + 2 * physics_.time_step);
+    if (!clear(row.id, row.grain.position(), Vector<D>::Zero(), astray)) return false;
   }
   return true;
 }

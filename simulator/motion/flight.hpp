@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulator/dimension.hpp"
-#include "simulator/motion/lanes.hpp"
+#include "simulator/lanes.hpp"
 
 namespace shakebed::simulator {
 
@@ -32,13 +32,13 @@ class Flights {
     resize(velocity, padded);
     resize(spin, padded);
     valid_from.assign(padded, 0.0);
-    present_.assign(padded, false);
+    aloft_.assign(padded, 0.0);
     for (std::size_t i = 0; i < padded; ++i) remove(i);
   }
 
   std::size_t count() const { return count_; }
   std::size_t padded() const { return valid_from.size(); }
-  bool present(std::size_t i) const { return present_[i]; }
+  bool present(std::size_t i) const { return aloft_[i] > 0; }
   double gravity() const { return gravity_; }
 
   Vector<D> position_at(std::size_t i, double t) const {
@@ -60,7 +60,7 @@ class Flights {
     set_row(position, i, origin);
     set_row(velocity, i, v);
     valid_from[i] = t;
-    present_[i] = true;
+    aloft_[i] = 1;
   }
 
   /// Grain i is not in flight.
@@ -70,7 +70,7 @@ class Flights {
     for (auto& column : velocity) column[i] = 0;
     position[vertical][i] = nowhere;
     valid_from[i] = 0;
-    present_[i] = false;
+    aloft_[i] = 0;
   }
 
   /// Moves the epoch by T: what was time T is time 0.
@@ -81,14 +81,30 @@ class Flights {
       const double fall = c == vertical ? 0.5 * gravity_ * T * T : 0.0;
       for (std::size_t i = 0; i < padded(); ++i) x[i] += T * v[i] - fall;
     }
-    for (double& v : velocity[vertical]) v -= gravity_ * T;
+    double* __restrict v = velocity[vertical].data();
+    const double* __restrict aloft = aloft_.data();
+    for (std::size_t i = 0; i < padded(); ++i) v[i] -= gravity_ * T * aloft[i];
     for (double& t : valid_from) t -= T;
+  }
+
+  /// Largest speed at the epoch. (Absent grains are at rest.)
+  double fastest() const {
+    Lanes most = 0;
+    for (std::size_t i = 0; i < padded(); i += lane_count) {
+      Lanes square = 0;
+      for (const auto& column : velocity) {
+        const Lanes v = load_lanes(&column[i]);
+        square += v * v;
+      }
+      most = std::experimental::max(most, square);
+    }
+    return std::sqrt(std::experimental::hmax(most));
   }
 
  private:
   std::size_t count_;
   double gravity_;
-  std::vector<char> present_;
+  std::vector<double> aloft_;  ///< 1 in flight, 0 absent
 };
 
 }  // namespace shakebed::simulator

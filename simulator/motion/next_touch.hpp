@@ -90,21 +90,21 @@ void find_flights_near(const Flights<D, S>& flights, const PeriodicCell<D>& cell
   namespace stdx = std::experimental;
   found.clear();
   const double fall = 0.5 * flights.gravity() * t * t;
+  std::array<double, Dimension<D>::lateral> per_width;
+  for (int c = 0; c < Dimension<D>::lateral; ++c) per_width[c] = 1 / cell.width[c];
   for (std::size_t j = 0; j < flights.padded(); j += lane_count) {
     Lanes rr = 0;
     for (int c = 0; c < D; ++c) {
       Lanes r = load_lanes(&flights.position[c][j]) + load_lanes(&flights.velocity[c][j]) * t;
       r -= c == Dimension<D>::vertical ? point[c] + fall : point[c];
-      if (c < Dimension<D>::lateral) {
-        const double width = cell.width[c];
-        r -= width * stdx::nearbyint(r * (1 / width));
-      }
+      if (c < Dimension<D>::lateral) r -= cell.width[c] * stdx::nearbyint(r * per_width[c]);
       rr += r * r;
     }
-    const LaneMask near = rr < reach * reach;
-    if (!stdx::any_of(near)) continue;
-    for (std::size_t k = 0; k < lane_count; ++k) {
-      if (near[k]) found.push_back(static_cast<std::uint32_t>(j + k));
+    LaneMask near = rr < reach * reach;
+    while (stdx::any_of(near)) {
+      const int lane = stdx::find_first_set(near);
+      found.push_back(static_cast<std::uint32_t>(j) + static_cast<std::uint32_t>(lane));
+      near[static_cast<std::size_t>(lane)] = false;
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <experimental/simd>
 
@@ -14,6 +15,17 @@ inline constexpr std::size_t lane_count = Lanes::size();
 inline Lanes load_lanes(const double* from) {
   return Lanes(from, std::experimental::element_aligned);
 }
+inline void store_lanes(double* to, const Lanes& lanes) {
+  lanes.copy_to(to, std::experimental::element_aligned);
+}
+
+/// min(a, b); a where b is not a number.
+inline double smaller(double a, double b) { return b < a ? b : a; }
+inline Lanes smaller(const Lanes& a, const Lanes& b) {
+  Lanes least = a;
+  std::experimental::where(b < a, least) = b;
+  return least;
+}
 
 /// 0, 1, 2, ...
 inline Lanes lane_numbers() {
@@ -21,3 +33,10 @@ inline Lanes lane_numbers() {
 }
 
 }  // namespace shakebed::simulator
+
+/// Eigen's small vectors of lanes.
+template <>
+struct Eigen::NumTraits<shakebed::simulator::Lanes>
+    : Eigen::GenericNumTraits<shakebed::simulator::Lanes> {
+  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0 };
+};

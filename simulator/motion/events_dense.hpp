@@ -1,0 +1,145 @@
+#pragma once
+
+// Hand-over to and from the dense stepper, and the bed as others see it. Part of events.hpp.
+
+#include "simulator/motion/events.hpp"
+
+namespace shakebed::simulator {
+
+template <class Physics>
+void EventEngine<Physics>::enter_dense() {
+  const double t = time_of(step_);
+  while (true) {
+    const auto open = std::find_if(ongoing_.begin(), ongoing_.end(),
+                                   [&](const Ongoing& contact) { return contact.end() > t; });
+    if (open == ongoing_.end()) break;
+    undo(open->i);
+  }
+  ongoing_.clear();
+  std::vector<GridRow<Physics>> rows(count_);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    if (!flights_.present(i)) continue;
+    const auto motion = motion_of(i, t);
+    rows[i].set_flying(motion.x, motion.v, motion.spin, physics_);
+    take_out_of_flight(i);
+  }
+  std::vector<std::uint32_t> on_base;
+  for (const auto& row : fine_.rows) {
+    rows[row.id] = row.grain;
+    if (row.base_touched == step_) on_base.push_back(row.id);
+  }
+  std::vector<PairOfGrains> touching;
+  for (const auto& pair : fine_.pairs) {
+    if (pair.touched == step_) touching.emplace_back(fine_.rows[pair.a].id, fine_.rows[pair.b].id);
+  }
+  fine_.clear();
+  dense_.emplace(physics_, std::move(rows), step_, touching, on_base);
+}
+
+template <class Physics>
+void EventEngine<Physics>::run_dense(long target) {
+  constexpr long look_every = 32;
+  while (step_ < target) {
+    dense_->step(ledger_);
+    ++step_;
+    ++counters_.dense_steps;
+    if (step_ % look_every == 0 && dilute(dense_->touching())) {
+      leave_dense();
+      return;
+    }
+  }
+}
+
+/// Grains in contact stay on the grid, the others fly.
+template <class Physics>
+void EventEngine<Physics>::leave_dense() {
+  const auto& rows = dense_->rows();
+  const double dt = physics_.time_step;
+  epoch_step_ = step_;
+  last_event_time_ = -never;
+  fastest_flight_ = 0;
+  const auto touching = dense_->touching_pairs();
+  constexpr std::uint32_t flies = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> row_of(count_, flies);
+  const auto keep_on_grid = [&](std::uint32_t i) {
+    if (row_of[i] != flies) return;
+    row_of[i] = static_cast<std::uint32_t>(fine_.count());
+    fine_.rows.push_back({rows[i], i});
+    if (dense_->on_base(i)) fine_.rows.back().base_touched = step_;
+    take_out_of_flight(i);
+  };
+  for (const auto& [i, j] : touching) {
+    keep_on_grid(i);
+    keep_on_grid(j);
+  }
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    if (dense_->on_base(i)) keep_on_grid(i);
+    if (row_of[i] != flies) continue;
+    launch(i, {rows[i].position(), rows[i].velocity_now(dt), rows[i].spin_now(dt)}, 0);
+  }
+  for (const auto& [i, j] : touching) fine_.link(row_of[i], row_of[j], step_, physics_.cell);
+  dense_.reset();
+  rebase();
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    if (flights_.present(i)) predict(i, 0);
+  }
+  if (fine_.count() > 0) look_around();
+}
+
+template <class Physics>
+const typename Physics::GrainState& EventEngine<Physics>::synchronised() {
+  const auto write = [&](std::uint32_t i, const Motion& motion) {
+    set_row(state_.position, i, motion.x);
+    set_row(state_.velocity, i, motion.v);
+    set_row(state_.spin, i, motion.spin);
+  };
+  const double dt = physics_.time_step;
+  if (dense_) {
+    const auto& rows = dense_->rows();
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      write(i, {rows[i].position(), rows[i].velocity_now(dt), rows[i].spin_now(dt)});
+    }
+    return state_;
+  }
+  const auto n = static_cast<std::ptrdiff_t>(count_);
+  for (int c = 0; c < D; ++c) {  // the epoch is now
+    std::copy_n(flights_.position[c].begin(), n, state_.position[c].begin());
+    std::copy_n(flights_.velocity[c].begin(), n, state_.velocity[c].begin());
+  }
+  for (int c = 0; c < S; ++c) std::copy_n(flights_.spin[c].begin(), n, state_.spin[c].begin());
+  for (const auto& contact : ongoing_) {
+    const bool with_base = contact.j == Ongoing::with_base;
+    const auto now =
+        contact.at(0, with_base ? base_contact_ : pair_contact_, physics_, epoch_phase());
+    write(contact.i, now.i);
+    if (!with_base) write(contact.j, now.j);
+  }
+  for (const auto& row : fine_.rows) {
+    write(row.id, {row.grain.position(), row.grain.velocity_now(dt), row.grain.spin_now(dt)});
+  }
+  return state_;
+}
+
+template <class Physics>
+double EventEngine<Physics>::energy() {
+  if (dense_) {
+    return mechanical_energy(synchronised(), physics_.gravity) + dense_->elastic_energy();
+  }
+  // A flight's energy does not change, and a contact taken in one stride is booked in full at its
+  // start, so that its grains count with the flights that follow it.
+  double energy = fine_.elastic_energy(physics_, base_at_step(step_));
+  const auto add = [&](const Motion& m) {
+    energy += 0.5 * m.v.squaredNorm() + physics_.gravity * m.x[vertical] +
+              0.5 * grain_inertia * m.spin.squaredNorm();
+  };
+  const double dt = physics_.time_step;
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    if (flights_.present(i)) add(motion_of(i, time_of(step_)));
+  }
+  for (const auto& row : fine_.rows) {
+    add({row.grain.position(), row.grain.velocity_now(dt), row.grain.spin_now(dt)});
+  }
+  return energy;
+}
+
+}  // namespace shakebed::simulator
