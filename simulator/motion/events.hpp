@@ -15,6 +15,7 @@
 #include "simulator/motion/dense.hpp"
 #include "simulator/motion/fine_contact.hpp"
 #include "simulator/motion/flight.hpp"
+#include "simulator/motion/flight_search.hpp"
 #include "simulator/motion/isolation.hpp"
 #include "simulator/motion/next_touch.hpp"
 #include "simulator/motion/ongoing_contact.hpp"
@@ -53,6 +54,7 @@ class EventEngine {
         base_contact_(parameters.grain_base, false),
         count_(start.count()),
         flights_(start.count(), physics.gravity),
+        search_(physics.cell, flights_),
         calendar_(start.count()),
         events_(start.count()),
         generation_(start.count(), 0),
@@ -117,7 +119,7 @@ class EventEngine {
   void guard_progress(double t);
 
   // Events.
-  void predict(std::size_t i, double from);
+  void predict(std::uint32_t i, double from);
   void handle(std::uint32_t i, double t);
   void touch_pair(std::uint32_t i, std::uint32_t j, double t);
   void touch_base(std::uint32_t i, double t);
@@ -125,7 +127,6 @@ class EventEngine {
   bool take_pair_in_one_stride(std::uint32_t i, std::uint32_t j, double t);
   bool take_base_in_one_stride(std::uint32_t i, double t);
   bool isolated(const IsolatedGrain<D>* members, std::size_t count, double t, double duration);
-  double largest_stray() const;
   void launch(std::uint32_t i, const Motion& motion, double t);
 
   // Grains on the grid.
@@ -136,8 +137,8 @@ class EventEngine {
   void look_around();
   void look_around(std::uint32_t k);
   void take_in_flights(const Vector<D>& x, double cap);
-  bool is_ongoing(std::uint32_t grain, double t) const;
-  bool near_ongoing(std::size_t k) const;
+  bool is_ongoing(std::uint32_t grain) const;
+  bool near_ongoing(std::size_t k);
   void undo(std::uint32_t grain);
   static void set_predicted(GridRow<Physics>& row, const Motion& now);
   void set_half(GridRow<Physics>& row, const Motion& now) const;
@@ -161,12 +162,15 @@ class EventEngine {
   long step_ = 0;        ///< grid step the run (or the grains on the grid) has reached
   long epoch_step_ = 0;  ///< grid step at which the flights' time is zero
   Flights<D, static_cast<std::size_t>(S)> flights_;
+  FlightSearch<D, static_cast<std::size_t>(S)> search_;
   Calendar calendar_;
   std::vector<Event> events_;
   std::vector<std::uint32_t> generation_;  ///< raised whenever a grain's flight ends
   double fastest_flight_ = 0;
   std::vector<Ongoing> ongoing_;
-  std::vector<double> stray_;  ///< of grains in an ongoing contact: how far from their next flight
+  double over_until_ = -never;  ///< closed contacts that end before are over
+  double largest_stray_ = 0;    ///< of the contacts in ongoing_
+  std::vector<double> stray_;   ///< of grains in an ongoing contact: how far from their next flight
   FineContacts<Physics> fine_;
   std::vector<char> stays_;  ///< rows of fine_
   std::optional<DenseStepper<Physics>> dense_;

@@ -10,8 +10,9 @@ template <class Physics>
 void EventEngine<Physics>::enter_dense() {
   const double t = time_of(step_);
   while (true) {
-    const auto open = std::find_if(ongoing_.begin(), ongoing_.end(),
-                                   [&](const Ongoing& contact) { return contact.end() > t; });
+    const auto open = std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
+      return contact.end() > std::max(t, over_until_);
+    });
     if (open == ongoing_.end()) break;
     undo(open->i);
   }
@@ -57,6 +58,7 @@ void EventEngine<Physics>::leave_dense() {
   const double dt = physics_.time_step;
   epoch_step_ = step_;
   last_event_time_ = -never;
+  over_until_ = -never;
   fastest_flight_ = 0;
   const auto touching = dense_->touching_pairs();
   constexpr std::uint32_t flies = std::numeric_limits<std::uint32_t>::max();

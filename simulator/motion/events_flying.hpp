@@ -37,7 +37,10 @@ void EventEngine<Physics>::rebase() {
   flights_.rebase(T);
   calendar_.rebase(T);
   for (auto& contact : ongoing_) contact.start -= T;
-  std::erase_if(ongoing_, [](const Ongoing& contact) { return contact.end() <= 0; });
+  over_until_ = std::max(0.0, over_until_ - T);
+  std::erase_if(ongoing_, [&](const Ongoing& contact) { return contact.end() <= over_until_; });
+  largest_stray_ = 0;
+  for (const auto& contact : ongoing_) largest_stray_ = std::max(largest_stray_, stray_[contact.i]);
   epoch_step_ = step_;
   last_event_time_ = -never;
   fastest_flight_ = flights_.fastest() + physics_.gravity * period() / 32;
@@ -58,8 +61,8 @@ void EventEngine<Physics>::guard_progress(double t) {
 }
 
 template <class Physics>
-void EventEngine<Physics>::predict(std::size_t i, double from) {
-  const auto next = next_pair_touch(flights_, physics_.cell, i, from);
+void EventEngine<Physics>::predict(std::uint32_t i, double from) {
+  const auto next = search_.next_touch(i, from);
   Event event{EventKind::look_again, 0, 0};
   double time = next.recheck;
   if (next.time <= next.recheck) {
@@ -123,16 +126,10 @@ GrainMotion<Physics> EventEngine<Physics>::motion_of(std::uint32_t i, double t) 
 template <class Physics>
 void EventEngine<Physics>::launch(std::uint32_t i, const Motion& motion, double t) {
   flights_.set(i, motion.x, motion.v, t);
+  search_.enter(i, motion.x);
   set_row(flights_.spin, i, motion.spin);
   fastest_flight_ = std::max(fastest_flight_, motion.v.norm() + physics_.gravity * period() / 32);
   ++generation_[i];
-}
-
-template <class Physics>
-double EventEngine<Physics>::largest_stray() const {
-  double largest = 0;
-  for (const auto& contact : ongoing_) largest = std::max(largest, stray_[contact.i]);
-  return largest;
 }
 
 template <class Physics>
@@ -181,6 +178,7 @@ bool EventEngine<Physics>::take_pair_in_one_stride(std::uint32_t i, std::uint32_
   launch(i, after.i, contact.end());
   launch(j, after.j, contact.end());
   stray_[i] = stray_[j] = members[0].stray(duration);
+  largest_stray_ = std::max(largest_stray_, stray_[i]);
   ongoing_.push_back(contact);
   predict(i, t);
   predict(j, t);
@@ -229,6 +227,7 @@ bool EventEngine<Physics>::take_base_in_one_stride(std::uint32_t i, double t) {
   ++counters_.closed;
   launch(i, after, contact.end());
   stray_[i] = member.stray(duration);
+  largest_stray_ = std::max(largest_stray_, stray_[i]);
   ongoing_.push_back(contact);
   predict(i, t);
   return true;
@@ -251,10 +250,9 @@ bool EventEngine<Physics>::isolated(const IsolatedGrain<D>* members, std::size_t
       if (now < reach + physics_.base.peak_velocity * duration) return false;
     }
   }
-  const double stray = largest_stray();
   const double half_length = count == 2 ? grain_radius : 0;
-  const double reach = half_length + 1 + (fastest + fastest_flight_) * duration + stray;
-  find_flights_near(flights_, physics_.cell, middle, t, reach, near_);
+  const double reach = half_length + 1 + (fastest + fastest_flight_) * duration + largest_stray_;
+  search_.find_near(middle, t, reach, near_);
   const double overshoot = count == 2 ? pair_contact_.normal().largest_impulse_fraction()
                                       : base_contact_.normal().largest_impulse_fraction();
   const auto clear = [&](std::uint32_t k, const Vector<D>& x, const Vector<D>& v, double astray) {

@@ -9,6 +9,7 @@ namespace shakebed::simulator {
 template <class Physics>
 void EventEngine<Physics>::take_out_of_flight(std::uint32_t i) {
   flights_.remove(i);
+  search_.leave(i);
   calendar_.set(i, never);
   ++generation_[i];
 }
@@ -22,7 +23,7 @@ void EventEngine<Physics>::activate(std::uint32_t i, double t) {
     const auto last = static_cast<long>(std::ceil(t / physics_.time_step)) - 1;
     step_ = epoch_step_ + std::max(0L, last);
   }
-  std::erase_if(ongoing_, [t](const Ongoing& contact) { return contact.end() <= t; });
+  over_until_ = t;
   const auto motion = motion_of(i, time_of(step_));
   fine_.add(i, motion.x, motion.v, motion.spin, true, physics_);
   take_out_of_flight(i);
@@ -97,15 +98,13 @@ void EventEngine<Physics>::take_in_flights(const Vector<D>& x, double cap) {
   const double t = time_of(step_);
   const double window = (look_window + 1) * physics_.time_step;
   // A grain in the middle of a closed contact may be elsewhere than its next flight says.
-  const double stray = largest_stray();
-  find_flights_near(flights_, physics_.cell, x, t,
-                    1 + 1.05 * (cap + fastest_flight_) * window + stray, near_);
+  search_.find_near(x, t, 1 + 1.05 * (cap + fastest_flight_) * window + largest_stray_, near_);
   const auto near = near_;
   for (const auto j : near) {
     if (!flights_.present(j)) continue;  // came along with a partner just undone
     Vector<D> r = flights_.position_at(j, t) - x;
     for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);
-    const bool in_contact = is_ongoing(j, t);
+    const bool in_contact = is_ongoing(j);
     const double distance = r.norm();
     const Vector<D> v = flights_.velocity_at(j, t);
     // A flight is straight but for gravity: only what brings it nearer counts. One in the middle
@@ -125,32 +124,31 @@ void EventEngine<Physics>::take_in_flights(const Vector<D>& x, double cap) {
   }
 }
 
+/// A closed contact lasts until its grains' next flights begin.
 template <class Physics>
-bool EventEngine<Physics>::is_ongoing(std::uint32_t grain, double t) const {
-  return std::any_of(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
-    return contact.involves(grain) && contact.end() > t;
-  });
+bool EventEngine<Physics>::is_ongoing(std::uint32_t grain) const {
+  return flights_.present(grain) &&
+         flights_.valid_from[grain] > std::max(time_of(step_), over_until_);
 }
 
 /// Isolation was proven against row k as it moved on the grid; flying on, it could meet a grain in
 /// the middle of a closed contact, of which flights know only the end.
 template <class Physics>
-bool EventEngine<Physics>::near_ongoing(std::size_t k) const {
-  const double t = time_of(step_);
+bool EventEngine<Physics>::near_ongoing(std::size_t k) {
   if (ongoing_.empty()) return false;
+  const double t = time_of(step_);
   const Vector<D> x = fine_.rows[k].grain.position();
   const double speed = fine_.rows[k].grain.half_velocity().norm();
-  const auto near = [&](std::uint32_t i, double duration) {
+  const double longest =
+      std::max(pair_contact_.normal().duration(), base_contact_.normal().duration());
+  search_.find_near(x, t, 1 + 1.05 * (speed + fastest_flight_) * longest + largest_stray_, near_);
+  return std::any_of(near_.begin(), near_.end(), [&](std::uint32_t i) {
+    if (!is_ongoing(i)) return false;
     Vector<D> r = flights_.position_at(i, t) - x;
     for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);
-    const double reach =
-        1 + 1.05 * (speed + flights_.velocity_at(i, t).norm()) * duration + stray_[i];
+    const double left = flights_.valid_from[i] - t;
+    const double reach = 1 + 1.05 * (speed + flights_.velocity_at(i, t).norm()) * left + stray_[i];
     return r.squaredNorm() < reach * reach;
-  };
-  return std::any_of(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
-    const double left = contact.end() - t;
-    if (left <= 0) return false;
-    return near(contact.i, left) || (contact.j != Ongoing::with_base && near(contact.j, left));
   });
 }
 

@@ -12,7 +12,7 @@ template <class Physics>
 void EventEngine<Physics>::undo(std::uint32_t grain) {
   const double t = time_of(step_);
   const auto found = std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
-    return contact.involves(grain) && contact.end() > t;
+    return contact.involves(grain) && contact.end() > std::max(t, over_until_);
   });
   const Ongoing contact = *found;
   ongoing_.erase(found);

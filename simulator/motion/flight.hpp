@@ -27,13 +27,23 @@ class Flights {
   std::vector<double> valid_from;  ///< a closed contact lasts until then; the flight begins there
 
   Flights(std::size_t count, double gravity) : count_(count), gravity_(gravity) {
-    const std::size_t padded = (count + lane_count - 1) / lane_count * lane_count;
-    resize(position, padded);
-    resize(velocity, padded);
-    resize(spin, padded);
-    valid_from.assign(padded, 0.0);
-    aloft_.assign(padded, 0.0);
-    for (std::size_t i = 0; i < padded; ++i) remove(i);
+    make_room();
+    for (std::size_t i = 0; i < padded(); ++i) remove(i);
+  }
+
+  /// The flights named, in that order and without their spins.
+  void copy_of(const Flights& other, const std::vector<std::uint32_t>& which) {
+    count_ = which.size();
+    gravity_ = other.gravity_;
+    make_room();
+    for (std::size_t k = 0; k < count_; ++k) {
+      for (int c = 0; c < D; ++c) {
+        position[c][k] = other.position[c][which[k]];
+        velocity[c][k] = other.velocity[c][which[k]];
+      }
+      valid_from[k] = other.valid_from[which[k]];
+    }
+    for (std::size_t k = count_; k < padded(); ++k) remove(k);
   }
 
   std::size_t count() const { return count_; }
@@ -102,6 +112,15 @@ class Flights {
   }
 
  private:
+  void make_room() {
+    const std::size_t rows = (count_ + lane_count - 1) / lane_count * lane_count;
+    resize(position, rows);
+    resize(velocity, rows);
+    resize(spin, rows);
+    valid_from.resize(rows, 0.0);
+    aloft_.resize(rows, 0.0);
+  }
+
   std::size_t count_;
   double gravity_;
   std::vector<double> aloft_;  ///< 1 in flight, 0 absent

@@ -1,0 +1,53 @@
+#include "simulator/record_notes.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace shakebed::simulator {
+
+void write_parameters(Record& record, const Scene& scene, const Parameters& p) {
+  const auto& drive = scene.base.drive;
+  record.scalars = {{"grains", "1", static_cast<double>(scene.grains.count)},
+                    {"layers", "1", scene.grains.layers},
+                    {"Gamma", "1", scene.Gamma()},
+                    {"V_p", "sqrt(g d)", drive.peak_velocity()},
+                    {"amplitude", "d", drive.amplitude},
+                    {"angular_frequency", "sqrt(g/d)", drive.angular_frequency},
+                    {"k_n", "m g/d", p.stiffness},
+                    {"time_step", "sqrt(d/g)", p.time_step},
+                    {"contact_duration", "sqrt(d/g)", p.contact_duration},
+                    {"steps_per_cycle", "1", static_cast<double>(p.steps_per_cycle)}};
+  if (scene.gravity > 0) record.scalars.push_back({"W", "1", scene.W()});
+}
+
+void warn(Record& record, const Scene& scene, const Parameters& p, const EnergyLedger& ledger) {
+  char text[240];
+  if (p.time_step > 0.1 * p.contact_duration) {
+    std::snprintf(text, sizeof text,
+                  "time step is t_c/%.3g; above t_c/10 restitution and temperature are biased",
+                  p.contact_duration / p.time_step);
+    record.warnings.emplace_back(text);
+  }
+  constexpr double soft = 0.1;
+  if (ledger.largest_overlap > soft) {
+    std::snprintf(text, sizeof text,
+                  "largest overlap %.3g d: contacts this soft change the bed; raise "
+                  "contact.stiffness (now %.3g m g/d)",
+                  ledger.largest_overlap, p.stiffness);
+    record.warnings.emplace_back(text);
+  }
+  if (scene.protocol.until && !record.at_rest) {
+    for (const auto& q : record.quantities) {
+      const auto& wanted = *scene.protocol.until;
+      if (q.name != wanted.quantity) continue;
+      const double reached = q.estimate.standard_error / std::abs(q.estimate.mean);
+      if (reached <= wanted.fraction) continue;
+      std::snprintf(text, sizeof text,
+                    "%s is known to %.2g %% after at_most = %ld cycles; %.2g %% was asked for",
+                    q.name.c_str(), 100 * reached, scene.protocol.at_most, 100 * wanted.fraction);
+      record.warnings.emplace_back(text);
+    }
+  }
+}
+
+}  // namespace shakebed::simulator
