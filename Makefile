@@ -17,7 +17,7 @@ else ifeq ($(PROFILE),paper)
 else
   $(error PROFILE is quick or paper, not "$(PROFILE)")
 endif
-with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016-% sun2006-%,$1),$(suffix))
+with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016 bhateja2016-% sun2006-%,$1),$(suffix))
 
 sources = $(shell git ls-files -- '*.cpp' '*.hpp')
 

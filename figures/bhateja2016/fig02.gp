@@ -4,7 +4,7 @@ load 'style.gp'
 set multiplot
 set lmargin at screen 0.105
 set rmargin at screen 0.98
-set xrange [0:140]
+set xrange [0:145]
 
 # Earlier studies: solid where T was measured, dashed where dh_cm was (as in the paper); grey where
 # the range is our reconstruction.
@@ -37,7 +37,7 @@ set ytics auto
 set yrange [0:*]
 set xlabel '{/:Italic W} = {/:Italic V}_p^2 / ({/:Italic d g})'
 set ylabel '2{/:Italic T}_z / ({/:Italic m V}_p^2),   {/:Italic T}_z by Eq. (5)' offset 0.3
-set key at graph 0.985, 0.04 right bottom Left reverse font ',10.5' samplen 1
+set key at graph 0.30, 0.55 left top Left reverse font ',10.5' samplen 1
 plot for [s = 1:4] points using (steady(s, column(points_W))):(column(points_T_z_twice_scaled)):(column(points_T_z_twice_scaled_se)) \
        with yerrorlines pointtype filled[s] pointsize 0.7 linecolor rgb colours[s] linewidth 1.2 title systems[s], \
      for [s = 1:4] points using (marked(s, column(points_W))):(column(points_T_z_twice_scaled)):(column(points_T_z_twice_scaled_se)) \
@@ -49,7 +49,7 @@ plot for [s = 1:4] points using (steady(s, column(points_W))):(column(points_T_z
 set lmargin at screen 0.70
 set rmargin at screen 0.955
 set tmargin at screen 0.735
-set bmargin at screen 0.46
+set bmargin at screen 0.55
 unset xlabel
 unset ylabel
 unset key
