@@ -42,13 +42,34 @@ std::string cell_text(const Scene& scene) {
   return text + " d";
 }
 
+void print_walls(const Scene& scene) {
+  const auto surface = [](double restitution, double friction) {
+    return "; e = " + rounded(restitution) + ", mu = " + rounded(friction);
+  };
+  if (const auto& lid = scene.lid) {
+    line("lid", rounded(lid->height) + " d above the base's mean height, " +
+                    (lid->moves_with_base ? "moving with the base" : "fixed") +
+                    surface(lid->restitution, lid->friction));
+  }
+  if (const auto& walls = scene.side_walls) {
+    line("side walls", "across x at 0 and " + rounded(scene.cell[0]) + " d, moving with the base" +
+                           surface(walls->restitution, walls->friction));
+  }
+}
+
 void print_bed(const Scene& scene, const Parameters& parameters) {
   const auto& drive = scene.base.drive;
   line("bed", std::to_string(scene.grains.count) +
                   (parameters.turns_grains ? " rough" : " smooth") + " grains in " +
-                  std::to_string(scene.dimension) + " dimensions, N = " +
-                  rounded(scene.grains.layers) + " layers, periodic cell " + cell_text(scene));
-  line("drive", "W = " + rounded(scene.W()) + ", Gamma = " + rounded(scene.Gamma()) + ", A = " +
+                  std::to_string(scene.dimension) +
+                  " dimensions, N = " + rounded(scene.grains.layers) + " layers, " +
+                  (scene.side_walls ? "cell " : "periodic cell ") + cell_text(scene));
+  print_walls(scene);
+  const std::string against_gravity =
+      scene.gravity > 0 ? "W = " + rounded(scene.W()) + ", Gamma = " + rounded(scene.Gamma()) + ", "
+                        : "no gravity, ";
+  const bool sideways = scene.base.direction == simulator::DriveDirection::x;
+  line("drive", std::string(sideways ? "along x, " : "") + against_gravity + "A = " +
                     rounded(drive.amplitude) + " d, omega = " + rounded(drive.angular_frequency) +
                     " sqrt(g/d), V_p = " + rounded(drive.peak_velocity()) + " sqrt(g d)");
 }
@@ -58,7 +79,9 @@ void print_model(const Scene& scene, const Parameters& parameters) {
   const bool turns = parameters.turns_grains;
   const bool three = scene.dimension == 3;
   const std::string coordinates = three ? "x, y, z" : "x, z";
-  line("models", "positions and velocities in " + coordinates + "; gravity; a vibrating base");
+  line("models", "positions and velocities in " + coordinates +
+                     (scene.gravity > 0 ? "; gravity" : "") + "; a vibrating base" +
+                     (scene.lid ? "; a lid" : "") + (scene.side_walls ? "; side walls" : ""));
   line("", "linear spring-dashpot along the normal, until the overlap is zero");
   if (turns) {
     line("", three ? "spin about x, y and z; viscous-Coulomb friction in the tangent plane"
@@ -67,7 +90,9 @@ void print_model(const Scene& scene, const Parameters& parameters) {
   if (!turns) line("leaves out", "spin and any tangential force, as no contact has friction");
   if (!three) line(turns ? "leaves out" : "", "the third coordinate");
   line(turns && three ? "leaves out" : "",
-       "memory of contacts, sizes (one diameter), side walls, lid, air drag, cohesion");
+       std::string("memory of contacts, sizes (one diameter), ") +
+           (scene.side_walls ? "" : "side walls, ") + (scene.lid ? "" : "lid, ") +
+           "air drag, cohesion");
 }
 
 void print_contact(const char* name, const ContactKind& kind, bool turns) {
@@ -79,15 +104,23 @@ void print_contact(const char* name, const ContactKind& kind, bool turns) {
               rounded(kind.contact_duration()).c_str());
 }
 
-void print_contacts(const Parameters& parameters) {
+void print_contacts(const Scene& scene, const Parameters& parameters) {
   std::printf("%-13s %-11s %6s %8s %6s %10s %10s %10s %11s\n", "contacts", "", "m_eff", "e", "mu",
               "k_n", "c_n", "c_t", "t_c");
   print_contact("grain-grain", parameters.grain_grain, parameters.turns_grains);
   print_contact("grain-base", parameters.grain_base, parameters.turns_grains);
+  if (scene.lid) print_contact("grain-lid", parameters.grain_lid, parameters.turns_grains);
+  if (scene.side_walls) {
+    print_contact("grain-side", parameters.grain_side_wall, parameters.turns_grains);
+  }
   line("", "m_eff [m], k_n [m g/d], c_n and c_t [m sqrt(g/d)], t_c [sqrt(d/g)]");
 }
 
-std::string engine_text(const Scene::Protocol& protocol) {
+std::string engine_text(const Scene& scene) {
+  const auto& protocol = scene.protocol;
+  if (scene.walled()) {
+    return "uniform, every grain at every step: the event engine knows no lid and no side walls";
+  }
   if (protocol.engine == simulator::Engine::uniform) return "uniform, every grain at every step";
   const bool fine = protocol.contacts == simulator::ContactOperator::fine;
   return std::string("events, free flights in one stride; contacts ") +
@@ -106,7 +139,7 @@ void print_numerics(const Scene& scene, const Parameters& parameters) {
   line("time step", "dt = " + rounded(parameters.time_step) + " sqrt(d/g) = t_c/" +
                         rounded(parameters.contact_duration / parameters.time_step) + ", " +
                         std::to_string(parameters.steps_per_cycle) + " steps per cycle");
-  line("engine", engine_text(protocol));
+  line("engine", engine_text(scene));
   line("stiffness", "omega t_c = " + rounded(drive_angle_in_contact(scene, parameters)) +
                         " rad; largest overlap to expect about " +
                         rounded(expected_largest_overlap(scene, parameters)) +
@@ -123,7 +156,7 @@ void print_scene(const std::string& name, const Scene& scene) {
   line("scene", name + ", seed " + std::to_string(scene.seed));
   print_bed(scene, parameters);
   print_model(scene, parameters);
-  print_contacts(parameters);
+  print_contacts(scene, parameters);
   print_numerics(scene, parameters);
   line("cost", "about " + two_digits(sweeps::predicted_cpu_seconds(scene)) +
                    " CPU seconds on one core, " + two_digits(sweeps::predicted_cycles(scene)) +

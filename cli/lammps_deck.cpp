@@ -8,6 +8,7 @@
 
 #include "files/build_info.hpp"
 #include "files/csv.hpp"
+#include "files/error.hpp"
 #include "simulator/contact/parameters.hpp"
 #include "simulator/grains/filling.hpp"
 
@@ -217,6 +218,11 @@ void write_measurement(std::ostream& deck, const Scene& scene) {
 }  // namespace
 
 std::string lammps_deck(const Scene& scene, const std::string& name) {
+  if (scene.walled()) {
+    throw files::bad_input(name,
+                           "has a lid or side walls, which the deck does not describe; only "
+                           "`shakebed run` simulates it");
+  }
   Scene finer = scene;
   finer.protocol.time_step_fraction = std::min(scene.protocol.time_step_fraction, coarsest_step);
   const Parameters p = bind_parameters(finer);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -38,18 +39,78 @@ struct SettledBed {
   double rest_height;  ///< mean height of centres over the still base [d]
 };
 
+/// Cell, laws, base and time step of a bed.
+template <class Bed>
+Bed bind_bed(const Scene& scene, const Parameters& p) {
+  PeriodicCell<Bed::dimension> cell{};
+  std::copy(scene.cell.begin(), scene.cell.end(), cell.width.begin());
+  using Law = typename Bed::ContactLaw;
+  return Bed{cell,
+             Law(p.grain_grain),
+             Law(p.grain_base),
+             {scene.base.drive.amplitude, scene.base.drive.peak_velocity()},
+             scene.gravity,
+             p.time_step,
+             p.steps_per_cycle};
+}
+
+template <int D>
+int drive_axis(const Scene& scene) {
+  return scene.base.direction == DriveDirection::x ? 0 : Dimension<D>::vertical;
+}
+
+/// Base, lid and side walls as planes. Between side walls the cell is widened, so that no grain
+/// finds another's image within reach (at most 2 d).
+template <class Physics>
+Physics bind_walls(const Scene& scene, const Parameters& p) {
+  using Law = typename Physics::ContactLaw;
+  constexpr int vertical = Dimension<Physics::dimension>::vertical;
+  const int axis = drive_axis<Physics::dimension>(scene);
+  auto bed = bind_bed<typename Physics::Base>(scene, p);
+  std::vector<typename Physics::Wall> walls{{vertical, 1, 0, true, axis, Law(p.grain_base)}};
+  if (scene.lid) {
+    walls.push_back(
+        {vertical, -1, scene.lid->height, scene.lid->moves_with_base, axis, Law(p.grain_lid)});
+  }
+  if (scene.side_walls) {
+    walls.push_back({0, 1, 0, true, axis, Law(p.grain_side_wall)});
+    walls.push_back({0, -1, scene.cell[0], true, axis, Law(p.grain_side_wall)});
+    bed.cell.width[0] += 3;
+  }
+  return {bed, std::move(walls), !scene.side_walls};
+}
+
 template <class Physics>
 Physics bind_physics(const Scene& scene, const Parameters& p) {
-  PeriodicCell<Physics::dimension> cell{};
+  if constexpr (Physics::walled) {
+    return bind_walls<Physics>(scene, p);
+  } else {
+    return bind_bed<Physics>(scene, p);
+  }
+}
+
+/// Grains poured into the scene's cell; without gravity, spread between base and lid and given
+/// Gaussian velocities of standard deviation V_p/2, so that a run rescaled in V_p stays the same.
+template <class Physics>
+typename Physics::GrainState poured(const Scene& scene) {
+  constexpr int D = Physics::dimension;
+  PeriodicCell<D> cell{};
   std::copy(scene.cell.begin(), scene.cell.end(), cell.width.begin());
-  using Law = typename Physics::ContactLaw;
-  return Physics{cell,
-                 Law(p.grain_grain),
-                 Law(p.grain_base),
-                 {scene.base.drive.amplitude, scene.base.drive.peak_velocity()},
-                 scene.gravity,
-                 p.time_step,
-                 p.steps_per_cycle};
+  const auto count = static_cast<std::size_t>(scene.grains.count);
+  double spacing = usual_layer_spacing;
+  if (scene.lid) {
+    const auto layers = static_cast<double>(filled_layers(count, scene.cell));
+    const double room = (scene.clearance() - 0.1) / layers;
+    spacing = scene.gravity > 0 ? std::min(spacing, room) : room;
+  }
+  auto grains = fill<D, Physics::turns_grains>(count, cell, scene.seed, spacing);
+  if (scene.gravity == 0) {
+    RandomStream random(scene.seed, RandomPurpose::thermal_velocities);
+    for (auto& column : grains.velocity) {
+      for (double& v : column) v = 0.5 * scene.base.drive.peak_velocity() * random.normal();
+    }
+  }
+  return grains;
 }
 
 /// Pours the grains on the still base and lets them come to rest: with the scene's restitution and
@@ -57,8 +118,10 @@ Physics bind_physics(const Scene& scene, const Parameters& p) {
 /// velocities damped at the rate 1/2 sqrt(g/d), which only hastens what collisions do. Without
 /// tangential springs a rough bed creeps for long: after 60 sqrt(d/g) it is taken as it is.
 /// The bed that leaves here moves with the base, which starts at full speed: no first blow.
+/// Without gravity there is nothing to wait for, and no rest height (NaN).
 template <class Physics>
 SettledBed<Physics> settle(const Scene& scene, const RunControl& control) {
+  if (scene.gravity == 0) return {poured<Physics>(scene), std::nan("")};
   Scene still = scene;
   const double static_stiffness =
       5e3 * std::max(1.0, scene.grains.layers / 4) * std::max(scene.gravity, 1e-300);
@@ -67,13 +130,11 @@ SettledBed<Physics> settle(const Scene& scene, const RunControl& control) {
   still.protocol.time_step_fraction = 0.06;
   const auto physics = bind_physics<Physics>(still, bind_parameters(still));
 
-  const auto count = static_cast<std::size_t>(scene.grains.count);
-  UniformStepper<Physics> mover(
-      physics, fill<Physics::dimension, Physics::turns_grains>(count, physics.cell, scene.seed));
+  UniformStepper<Physics> mover(physics, poured<Physics>(scene));
   const double longest = scene.protocol.settle.value_or(60);
   constexpr double interval = 0.25;
   const auto steps = std::lround(interval / physics.time_step);
-  const auto n = static_cast<double>(count);
+  const auto n = static_cast<double>(scene.grains.count);
   constexpr double rest_energy = 1e-7;  // kinetic energy per grain [m g d]
   bool at_rest = false;
   for (double t = 0; t < longest && !at_rest; t += interval) {
@@ -84,9 +145,10 @@ SettledBed<Physics> settle(const Scene& scene, const RunControl& control) {
   }
   SettledBed<Physics> bed{mover.synchronised(), 0};
   constexpr int vertical = Dimension<Physics::dimension>::vertical;
+  const int along = drive_axis<Physics::dimension>(scene);
   for (int c = 0; c <= vertical; ++c) {
     auto& column = bed.grains.velocity[c];
-    std::fill(column.begin(), column.end(), c == vertical ? scene.base.drive.peak_velocity() : 0.0);
+    std::fill(column.begin(), column.end(), c == along ? scene.base.drive.peak_velocity() : 0.0);
   }
   for (auto& column : bed.grains.spin) std::fill(column.begin(), column.end(), 0.0);
   for (const double z : bed.grains.position[vertical]) {
@@ -115,7 +177,7 @@ class Protocol {
     for (long c = 0; c < planned; ++c) {
       poll(0.5 * static_cast<double>(c) / static_cast<double>(planned));
       ++discarded_;
-      if (scene_.Gamma() >= 1) {
+      if (!scene_.never_thrown()) {
         mover_.advance(parameters_.steps_per_cycle);
         continue;
       }
@@ -166,9 +228,7 @@ class Protocol {
 
   /// Not before 32 cycles, nor before eight flights 2 V_p/g of the bed.
   long first_look() const {
-    const auto& drive = scene_.base.drive;
-    const double flights =
-        scene_.gravity > 0 ? 16 * drive.peak_velocity() / (scene_.gravity * drive.period()) : 0;
+    const double flights = 8 * scene_.flight_time() / scene_.base.drive.period();
     return std::max(32L, static_cast<long>(std::ceil(flights)));
   }
 
@@ -206,7 +266,7 @@ class Protocol {
 
   /// With Gamma < 1 the base cannot throw a bed that rests on it: four quiet cycles decide.
   bool over_early(const Measurement<D>& measurement) const {
-    return scene_.Gamma() < 1 && measurement.cycles() >= 4 && measurement.at_rest();
+    return scene_.never_thrown() && measurement.cycles() >= 4 && measurement.at_rest();
   }
 
   const Scene& scene_;

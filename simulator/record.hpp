@@ -67,7 +67,7 @@ struct Snapshot {
 
   std::string name;          ///< "T10.05": the instant asked for [cycles]
   double cycles = 0;         ///< since the base began to move
-  double base_height = 0;    ///< of the base's surface above its mean [d]
+  double base_height = 0;    ///< displacement of the base from its mean position [d]
   double base_velocity = 0;  ///< [sqrt(g d)]
   Triple period{};           ///< widths of the periodic cell [d]; 0: not periodic in that direction
   std::vector<double> radius;    ///< [d]

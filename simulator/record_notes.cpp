@@ -9,7 +9,6 @@ void write_parameters(Record& record, const Scene& scene, const Parameters& p) {
   const auto& drive = scene.base.drive;
   record.scalars = {{"grains", "1", static_cast<double>(scene.grains.count)},
                     {"layers", "1", scene.grains.layers},
-                    {"Gamma", "1", scene.Gamma()},
                     {"V_p", "sqrt(g d)", drive.peak_velocity()},
                     {"amplitude", "d", drive.amplitude},
                     {"angular_frequency", "sqrt(g/d)", drive.angular_frequency},
@@ -17,7 +16,11 @@ void write_parameters(Record& record, const Scene& scene, const Parameters& p) {
                     {"time_step", "sqrt(d/g)", p.time_step},
                     {"contact_duration", "sqrt(d/g)", p.contact_duration},
                     {"steps_per_cycle", "1", static_cast<double>(p.steps_per_cycle)}};
-  if (scene.gravity > 0) record.scalars.push_back({"W", "1", scene.W()});
+  if (scene.gravity > 0) {
+    record.scalars.push_back({"W", "1", scene.W()});
+    record.scalars.insert(record.scalars.begin() + 2, {"Gamma", "1", scene.Gamma()});
+  }
+  if (scene.lid) record.scalars.push_back({"lid_height", "d", scene.lid->height});
 }
 
 void warn(Record& record, const Scene& scene, const Parameters& p, const EnergyLedger& ledger) {

@@ -67,9 +67,14 @@ Record run_bed(const Scene& scene, const RunControl& control) {
       return snapshot_of(physics, mover.synchronised(), step, cycle);
     });
   };
-  if (scene.protocol.engine == Engine::uniform) {
+  const auto move_uniformly = [&] {
     UniformStepper<Physics> mover(physics, bed.grains);
     move_with(mover);
+  };
+  if constexpr (Physics::walled) {
+    move_uniformly();
+  } else if (scene.protocol.engine == Engine::uniform) {
+    move_uniformly();
   } else {
     EventEngine<Physics> mover(physics, p, bed.grains, scene.protocol.contacts);
     move_with(mover);

@@ -181,7 +181,8 @@ Collected collect_snapshots(const Grid& grid, const store::Cache& cache) {
     asked_for = asked_for || !scene.protocol.snapshots.phases.empty();
     auto cells = reader.point(k).labels;
     for (const auto& scalar : point_scalars(scene)) {
-      if (!taken(scalar)) cells.push_back(files::number_text(scalar.value));
+      if (taken(scalar)) continue;
+      cells.push_back(std::isfinite(scalar.value) ? files::number_text(scalar.value) : "");
     }
     const auto replicates = reader.records(k, collected);
     for (std::size_t r = 0; r < replicates.size(); ++r) {

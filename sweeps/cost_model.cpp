@@ -56,8 +56,6 @@ constexpr std::array<Node, 3> cycles_for_a_percent_smooth_2d{{{5.6, 900}, {22, 5
 /// Cycles after which a bed that cannot leave the base is known to be at rest.
 constexpr double cycles_at_rest = 12;
 
-bool stays_at_rest(const Scene& scene) { return scene.gravity > 0 && scene.Gamma() < 1; }
-
 double cycles_for_a_percent(const Scene& scene) {
   const double W = scene.gravity > 0 ? scene.W() : 1e3;
   const double in_3d = interpolated(cycles_for_a_percent_rough_3d, W) * 100 / scene.grains.count;
@@ -70,7 +68,7 @@ double cycles_for_a_percent(const Scene& scene) {
 }  // namespace
 
 double predicted_cycles(const Scene& scene) {
-  if (stays_at_rest(scene)) return cycles_at_rest;
+  if (scene.never_thrown()) return cycles_at_rest;
   if (scene.protocol.cycles) return static_cast<double>(*scene.protocol.cycles);
   const double percents = scene.protocol.until ? scene.protocol.until->fraction / 0.01 : 1;
   const double wanted = cycles_for_a_percent(scene) / (percents * percents);
@@ -79,16 +77,18 @@ double predicted_cycles(const Scene& scene) {
 }
 
 double predicted_cpu_seconds(const Scene& scene) {
-  const double transient = stays_at_rest(scene)
+  const double transient = scene.never_thrown()
                                ? 0
                                : static_cast<double>(scene.protocol.transient.value_or(
                                      simulator::automatic_transient(scene)));
   const double grain_cycles = scene.grains.count * (transient + predicted_cycles(scene));
-  const double Gamma = scene.gravity > 0 ? scene.Gamma() : 1e3;
+  // A bed shaken from the side is stirred as much as one with 10 times its Gamma.
+  const double Gamma =
+      scene.walled() && !scene.never_thrown() ? std::max(2.0, 10 * scene.Gamma()) : scene.Gamma();
   const double steps = static_cast<double>(simulator::bind_parameters(scene).steps_per_cycle);
   const double uniform = 1e-9 * interpolated(grain_step_nanoseconds, Gamma) * steps;
   const double events = 1e-6 * interpolated(grain_cycle_microseconds, Gamma) * relative_cost(scene);
-  return grain_cycles * (scene.protocol.engine == simulator::Engine::uniform
+  return grain_cycles * (scene.walled() || scene.protocol.engine == simulator::Engine::uniform
                              ? uniform
                              : std::min(uniform, events));
 }

@@ -9,11 +9,13 @@ namespace shakebed::simulator {
 struct Parameters {
   ContactKind grain_grain;
   ContactKind grain_base;
-  double stiffness;         ///< k_n [m g/d]
-  double contact_duration;  ///< t_c of the shortest contact kind [sqrt(d/g)]
-  double time_step;         ///< dt [sqrt(d/g)]; divides the drive's period
-  long steps_per_cycle;     ///< a multiple of phases_per_cycle
-  bool turns_grains;        ///< some contact kind has friction
+  ContactKind grain_lid;        ///< when the scene has a lid
+  ContactKind grain_side_wall;  ///< when it has side walls
+  double stiffness;             ///< k_n [m g/d]
+  double contact_duration;      ///< t_c of the shortest contact kind [sqrt(d/g)]
+  double time_step;             ///< dt [sqrt(d/g)]; divides the drive's period
+  long steps_per_cycle;         ///< a multiple of phases_per_cycle
+  bool turns_grains;            ///< some contact kind has friction
 };
 
 /// Equal phases of the drive at which averages are sampled, each cycle. (Near phase 0 T_z is 2.4
@@ -28,7 +30,7 @@ double automatic_stiffness(const Scene& scene);
 Parameters bind_parameters(const Scene& scene);
 
 /// Cycles discarded when the scene says `transient: auto`: the bed, thrown as a plug at the start,
-/// flies for about (1 + e) W d/(pi A) cycles; several flights are let pass.
+/// flies for about (1 + e) W d/(pi A) cycles, or to the lid and back; several flights are let pass.
 long automatic_transient(const Scene& scene);
 
 }  // namespace shakebed::simulator

@@ -18,6 +18,7 @@ struct BedPhysics {
   using TangentialLaw = Tangential;
   static constexpr int dimension = D;
   static constexpr bool turns_grains = Tangential::turns_grains;
+  static constexpr bool walled = false;  ///< by more than the base; see walled_physics.hpp
   using GrainState = Grains<D, turns_grains>;
   using ContactLaw = Contact<D, LinearSpringDashpot, Tangential>;
 
@@ -32,6 +33,7 @@ struct BedPhysics {
   BaseState base_at_step(long step_in_cycle) const {
     return base.at(static_cast<double>(step_in_cycle) / static_cast<double>(steps_per_cycle));
   }
+  bool periodic(int) const { return true; }
 };
 
 /// Grains on the global time grid, in the leapfrog form of velocity Verlet: positions and
@@ -170,6 +172,29 @@ struct LeapfrogGrains {
     ledger.dissipation += f.dissipated_power * physics.time_step;
     ledger.count_step(overlap, begins);
     return f.force[vertical];
+  }
+
+  /// Adds the contact of row i with a wall; returns the force on the grain along the wall's normal.
+  template <class Wall>
+  double touch_wall(const Physics& physics, const Wall& wall, std::size_t i, const BaseState& base,
+                    double overlap, bool begins, EnergyLedger& ledger) {
+    Vector<D> n = Vector<D>::Zero();
+    n[wall.axis] = -wall.inward;
+    const double wall_velocity = wall.moves ? base.velocity : 0;
+    Vector<D> v = row(predicted_velocity, i);
+    v[wall.drive_axis] -= wall_velocity;
+    Spin<D> spin_radius = Spin<D>::Zero();
+    if constexpr (turns_grains) spin_radius = grain_radius * row(predicted_spin, i);
+    const auto f = wall.law(n, overlap, v, spin_radius);
+    add_to_row(acceleration, i, f.force);
+    if constexpr (turns_grains) {
+      add_to_row(spin_acceleration, i,
+                 Spin<D>((grain_radius / grain_inertia) * f.moment_per_radius));
+    }
+    ledger.base_work += f.force[wall.drive_axis] * wall_velocity * physics.time_step;
+    ledger.dissipation += f.dissipated_power * physics.time_step;
+    ledger.count_step(overlap, begins);
+    return wall.inward * f.force[wall.axis];
   }
 
   double base_overlap(std::size_t i, const BaseState& base) const {

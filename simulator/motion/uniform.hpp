@@ -6,11 +6,12 @@
 
 #include "simulator/motion/leapfrog.hpp"
 #include "simulator/motion/neighbours.hpp"
+#include "simulator/motion/walled_physics.hpp"
 
 namespace shakebed::simulator {
 
 /// Reference engine: every grain at every step, pairs from a Verlet list. Everything faster is
-/// checked against it.
+/// checked against it. The one engine that knows walls other than the base.
 template <class Physics>
 class UniformStepper {
  public:
@@ -96,14 +97,10 @@ class UniformStepper {
   }
 
   void accumulate_contacts() {
-    const BaseState base = physics_.base_at_step(step_in_cycle_);
-    base_force_ = 0;
-    for (const auto i : near_base_) {
-      const double overlap = grains_.base_overlap(i, base);
-      if (overlap <= 0) continue;
-      const bool begins = base_touched_[i] != step_stamp_ - 1;
-      base_force_ += grains_.touch_base(physics_, i, base, overlap, begins, ledger_);
-      base_touched_[i] = step_stamp_;
+    if constexpr (Physics::walled) {
+      accumulate_walls();
+    } else {
+      accumulate_base();
     }
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const Vector<D> r = separation(pairs_[k]);
@@ -116,9 +113,48 @@ class UniformStepper {
     }
   }
 
+  void accumulate_base() {
+    const BaseState base = physics_.base_at_step(step_in_cycle_);
+    base_force_ = 0;
+    for (const auto i : near_base_) {
+      const double overlap = grains_.base_overlap(i, base);
+      if (overlap <= 0) continue;
+      const bool begins = base_touched_[i] != step_stamp_ - 1;
+      base_force_ += grains_.touch_base(physics_, i, base, overlap, begins, ledger_);
+      base_touched_[i] = step_stamp_;
+    }
+  }
+
+  void accumulate_walls() {
+    const BaseState base = physics_.base_at_step(step_in_cycle_);
+    base_force_ = 0;
+    for (std::size_t w = 0; w < physics_.walls.size(); ++w) {
+      const auto& wall = physics_.walls[w];
+      const auto& coordinate = grains_.position[wall.axis];
+      for (const auto i : near_walls_[w]) {
+        const double overlap = physics_.overlap(wall, coordinate[i], base);
+        if (overlap <= 0) continue;
+        long& touched = base_touched_[w * grains_.count() + i];
+        const bool begins = touched != step_stamp_ - 1;
+        const double force = grains_.touch_wall(physics_, wall, i, base, overlap, begins, ledger_);
+        if (w == 0) base_force_ += force;
+        touched = step_stamp_;
+      }
+    }
+  }
+
   double elastic_energy() const {
     const BaseState base = physics_.base_at_step(step_in_cycle_);
     double energy = 0;
+    if constexpr (Physics::walled) {
+      for (std::size_t w = 0; w < physics_.walls.size(); ++w) {
+        const auto& wall = physics_.walls[w];
+        for (const auto i : near_walls_[w]) {
+          const double overlap = physics_.overlap(wall, grains_.position[wall.axis][i], base);
+          if (overlap > 0) energy += wall.law.normal.stored_energy(overlap);
+        }
+      }
+    }
     for (const auto i : near_base_) {
       const double overlap = grains_.base_overlap(i, base);
       if (overlap > 0) energy += physics_.grain_base.normal.stored_energy(overlap);
@@ -141,8 +177,12 @@ class UniformStepper {
 
   /// Keeps the list while no grain can have moved by half the skin before the next look.
   void check_list() {
-    const double travelled = std::sqrt(largest_squared(
+    double travelled = std::sqrt(largest_squared(
         [&](int c, std::size_t i) { return grains_.position[c][i] - built_at_[c][i]; }));
+    if constexpr (Physics::walled) {
+      const double height = physics_.base_at_step(step_in_cycle_).height;
+      travelled = std::max(travelled, std::abs(height - base_built_at_));
+    }
     const long safe = safe_steps(0.5 * skin_ - travelled);
     if (safe < 8) {
       rebuild();
@@ -188,8 +228,17 @@ class UniformStepper {
     }
     search_.find(grains_.position, 2 * grain_radius + skin_, pairs_);
     pair_touched_.assign(pairs_.size(), -1);
-    for (const auto& old : touching_before) mark_touching(old);
+    mark_touching(touching_before);
     built_at_ = grains_.position;
+    if constexpr (Physics::walled) {
+      list_grains_near_walls();
+    } else {
+      list_grains_near_base();
+    }
+    steps_until_list_check_ = safe_steps(0.5 * skin_);
+  }
+
+  void list_grains_near_base() {
     near_base_.clear();
     for (std::uint32_t i = 0; i < grains_.count(); ++i) {
       if (grains_.position[vertical][i] < physics_.base.amplitude + grain_radius + 0.5 * skin_) {
@@ -197,14 +246,39 @@ class UniformStepper {
       }
     }
     base_touched_.resize(grains_.count(), -1);
-    steps_until_list_check_ = safe_steps(0.5 * skin_);
   }
 
-  void mark_touching(const NeighbourPair<D>& old) {
+  /// Until the next build a grain and a moving wall travel at most half the skin each.
+  void list_grains_near_walls() {
+    const BaseState base = physics_.base_at_step(step_in_cycle_);
+    base_built_at_ = base.height;
+    near_walls_.resize(physics_.walls.size());
+    base_touched_.resize(physics_.walls.size() * grains_.count(), -1);
+    for (std::size_t w = 0; w < physics_.walls.size(); ++w) {
+      const auto& wall = physics_.walls[w];
+      near_walls_[w].clear();
+      for (std::uint32_t i = 0; i < grains_.count(); ++i) {
+        const double overlap = physics_.overlap(wall, grains_.position[wall.axis][i], base);
+        if (overlap > -skin_) near_walls_[w].push_back(i);
+      }
+    }
+  }
+
+  /// Pairs by grain numbers, whichever of the two comes first.
+  static std::uint64_t name_of(const NeighbourPair<D>& pair) {
+    const auto [first, second] = std::minmax(pair.i, pair.j);
+    return (static_cast<std::uint64_t>(first) << 32) | second;
+  }
+
+  void mark_touching(const std::vector<NeighbourPair<D>>& before) {
+    if (before.empty()) return;
+    std::vector<std::uint64_t> touching;
+    for (const auto& pair : before) touching.push_back(name_of(pair));
+    std::sort(touching.begin(), touching.end());
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
-      const bool same = (pairs_[k].i == old.i && pairs_[k].j == old.j) ||
-                        (pairs_[k].i == old.j && pairs_[k].j == old.i);
-      if (same) pair_touched_[k] = step_stamp_;
+      if (std::binary_search(touching.begin(), touching.end(), name_of(pairs_[k]))) {
+        pair_touched_[k] = step_stamp_;
+      }
     }
   }
 
@@ -216,8 +290,10 @@ class UniformStepper {
   NeighbourSearch<D> search_;
   std::vector<NeighbourPair<D>> pairs_;
   std::vector<long> pair_touched_;  ///< the last step at which the pair touched
-  std::vector<long> base_touched_;
+  std::vector<long> base_touched_;  ///< by grain; of a walled bed by wall and grain
   std::vector<std::uint32_t> near_base_;
+  std::vector<std::vector<std::uint32_t>> near_walls_;  ///< of a walled bed, in place of near_base_
+  double base_built_at_ = 0;
   GrainState state_;
   Columns<D> built_at_;
   double skin_ = 0;

@@ -27,7 +27,8 @@ std::vector<Series> observables() {
 /// The bottom of the lowest box, which no grain's centre is below.
 double lowest_box(const Scene& scene) {
   const bool lab = scene.protocol.profile.frame == Scene::ProfileChoice::Frame::lab;
-  return lab ? -std::ceil(scene.base.drive.amplitude) : 0;
+  const bool sinks = lab && scene.base.direction == DriveDirection::z;
+  return sinks ? -std::ceil(scene.base.drive.amplitude) : 0;
 }
 
 Estimate scaled(const Estimate& e, double factor) {
@@ -68,7 +69,8 @@ void Measurement<D>::end_cycle(const EnergyLedger& ledger) {
 
 template <int D>
 bool Measurement<D>::at_rest() const {
-  if (scene_.gravity <= 0 || series_.cycles() == 0) return false;
+  const bool may_rest = scene_.gravity > 0 && scene_.base.direction == DriveDirection::z;
+  if (!may_rest || series_.cycles() == 0) return false;
   const double v = scene_.base.drive.peak_velocity();
   return mean_of_series(series_[D - 1].values).estimate.mean < at_rest_bound * v * v;
 }
@@ -181,8 +183,8 @@ void Measurement<D>::judge_stationarity(Record& record) const {
   record.at_rest = at_rest();
   record.stationary = false;
   const auto& drive = scene_.base.drive;
-  const double flights = static_cast<double>(series_.cycles()) * drive.period() * scene_.gravity /
-                         (2 * drive.peak_velocity());
+  const double flights =
+      static_cast<double>(series_.cycles()) * drive.period() / scene_.flight_time();
   const auto work = mean_of_series(series_[base_power].values);
   const auto loss = mean_of_series(series_[dissipation_power].values);
   const auto& T_z = series_[D - 1].values;
@@ -191,15 +193,15 @@ void Measurement<D>::judge_stationarity(Record& record) const {
     record.stationary_reason = formatted(
         "at rest on the base: T_z/(m V_p^2) = %.1e is below %.0e",
         mean_of_series(T_z).estimate.mean / std::pow(drive.peak_velocity(), 2), at_rest_bound);
-  } else if (scene_.grains.restitution == 1 && scene_.base.restitution == 1 &&
-             scene_.grains.friction == 0 && scene_.base.friction == 0) {
+  } else if (scene_.elastic()) {
     record.stationary_reason = "e = 1 without friction: nothing dissipates, no steady state";
   } else if (T_z.size() < 8) {
     record.stationary_reason = formatted("%.0f cycles are too few to judge; measure at least %.0f",
                                          static_cast<double>(series_.cycles()), 8);
   } else if (flights < 4) {
     record.stationary_reason = formatted(
-        "measured for only %.2g flight times 2 V_p/g; at least %.0f are needed to see "
+        "measured for only %.2g flight times (2 V_p/g, or to the lid and back); at least %.0f are "
+        "needed to see "
         "more than one throw",
         flights, 4);
   } else if (mean_of_series(T_z).estimate.standard_error >
@@ -244,11 +246,14 @@ void Measurement<D>::write(Record& record, const EnergyLedger& ledger, double en
   write_volume_averages(record);
   write_instant_profile(record);
   const auto h_cm = mean_of_series(values_of("h_cm")).estimate;
-  const auto delta = mean_of_series(values_of("delta_h_cm")).estimate;
   record.quantities.push_back({"h_cm", "d", h_cm});
-  record.quantities.push_back({"delta_h_cm", "d", delta});
-  const double v2 = drive.peak_velocity() * drive.peak_velocity();
-  record.quantities.push_back({"delta_h_cm_scaled", "V_p^2/g", scaled(delta, scene_.gravity / v2)});
+  if (scene_.gravity > 0) {
+    const auto delta = mean_of_series(values_of("delta_h_cm")).estimate;
+    const double v2 = drive.peak_velocity() * drive.peak_velocity();
+    record.quantities.push_back({"delta_h_cm", "d", delta});
+    record.quantities.push_back(
+        {"delta_h_cm_scaled", "V_p^2/g", scaled(delta, scene_.gravity / v2)});
+  }
   for (const std::size_t k : {base_power, dissipation_power}) {
     record.quantities.push_back(
         {series_[k].name, series_[k].unit, mean_of_series(series_[k].values).estimate});

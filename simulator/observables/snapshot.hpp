@@ -25,11 +25,13 @@ template <class Physics>
 void write_grains(Snapshot& snapshot, const Physics& physics,
                   const typename Physics::GrainState& grains) {
   constexpr int D = Physics::dimension;
-  for (int c = 0; c < Dimension<D>::lateral; ++c) snapshot.period[c] = physics.cell.width[c];
+  for (int c = 0; c < Dimension<D>::lateral; ++c) {
+    if (physics.periodic(c)) snapshot.period[c] = physics.cell.width[c];
+  }
   for (std::size_t i = 0; i < grains.count(); ++i) {
     auto position = triple<D>(grains.position, i);
     for (int c = 0; c < Dimension<D>::lateral; ++c) {
-      position[c] = physics.cell.wrapped(c, position[c]);
+      if (physics.periodic(c)) position[c] = physics.cell.wrapped(c, position[c]);
     }
     snapshot.radius.push_back(grain_radius);
     snapshot.position.push_back(position);
@@ -79,6 +81,22 @@ void write_base_contacts(Snapshot& snapshot, const Physics& physics,
   }
 }
 
+template <class Physics>
+void write_wall_contacts(Snapshot& snapshot, const Physics& physics,
+                         const typename Physics::GrainState& grains, const BaseState& base) {
+  for (const auto& wall : physics.walls) {
+    for (std::size_t i = 0; i < grains.count(); ++i) {
+      const double overlap = physics.overlap(wall, grains.position[wall.axis][i], base);
+      if (overlap <= 0) continue;
+      const bool pushed = wall.moves && wall.axis == wall.drive_axis;
+      const double wall_velocity = pushed ? base.velocity : 0;
+      const double closing_speed = wall.inward * (wall_velocity - grains.velocity[wall.axis][i]);
+      snapshot.contacts.push_back({static_cast<std::int64_t>(i), SnapshotContact::wall,
+                                   wall.law.normal.force(overlap, closing_speed)});
+    }
+  }
+}
+
 /// The bed at one step of a cycle. `cycle` counts whole cycles since the base began to move.
 /// For laws without memory: every force follows from positions and velocities.
 template <class Physics>
@@ -92,7 +110,11 @@ Snapshot snapshot_of(const Physics& physics, const typename Physics::GrainState&
   snapshot.base_velocity = base.velocity;
   write_grains(snapshot, physics, grains);
   write_pair_contacts(snapshot, physics, grains);
-  write_base_contacts(snapshot, physics, grains, base);
+  if constexpr (Physics::walled) {
+    write_wall_contacts(snapshot, physics, grains, base);
+  } else {
+    write_base_contacts(snapshot, physics, grains, base);
+  }
   return snapshot;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files/csv.hpp"
+#include "simulator/grains/filling.hpp"
 
 namespace shakebed::simulator {
 
@@ -116,10 +117,11 @@ TangentialLaw law_from(SceneValues& values, bool any_friction) {
 
 void read_tangential(SceneValues& values, Scene& scene) {
   auto& contact = scene.contact;
-  const bool any_friction = scene.grains.friction != 0 || scene.base.friction != 0;
+  const bool any_friction = scene.any_friction();
   contact.tangential = law_from(values, any_friction);
   if (contact.tangential == TangentialLaw::frictionless) {
-    for (const std::string key : {"grains.friction", "base.friction"}) {
+    for (const std::string key :
+         {"grains.friction", "base.friction", "lid.friction", "side_walls.friction"}) {
       if (values.number(key).value_or(0) == 0) continue;
       values.report(key, "`" + key +
                              "` is not 0, but `contact.tangential` is frictionless; write "
@@ -139,6 +141,59 @@ void read_tangential(SceneValues& values, Scene& scene) {
   } else if (values.word(damping) == "critical") {
     contact.damping = TangentialDamping::critical;
   }
+}
+
+/// A lid must leave room for the bed as it is poured (filling.hpp), at every phase.
+void check_clearance(SceneValues& values, const Scene& scene) {
+  if (!values.number("lid.height") || scene.cell.empty()) return;
+  const double needed = filled_height(static_cast<std::size_t>(scene.grains.count), scene.cell);
+  if (scene.clearance() >= needed) return;
+  values.report(
+      "lid.height",
+      "`lid.height`: " + std::to_string(scene.grains.count) + " grains in this cell need " +
+          number_text(needed) + " d between base and lid, which leave " +
+          number_text(scene.clearance()) + " d" +
+          (scene.clearance() < scene.lid->height ? " when the base is highest below the fixed lid"
+                                                 : "") +
+          "; raise the lid or take fewer grains");
+}
+
+void read_walls(SceneValues& values, Scene& scene) {
+  if (values.given("lid")) {
+    auto& lid = scene.lid.emplace();
+    lid.height = values.number("lid.height").value_or(0);
+    lid.moves_with_base = values.word("lid.moves").value_or("with_base") == "with_base";
+    lid.restitution = values.number("lid.restitution").value_or(scene.base.restitution);
+    lid.friction = values.number("lid.friction").value_or(scene.base.friction);
+    if (!values.given("lid.height") && !values.refused("lid.height")) {
+      values.report("lid", "`lid` needs `height`, above the base's mean height: {height: 10}");
+    }
+    check_clearance(values, scene);
+  }
+  if (values.given("side_walls")) {
+    auto& walls = scene.side_walls.emplace();
+    walls.restitution = values.number("side_walls.restitution").value_or(scene.base.restitution);
+    walls.friction = values.number("side_walls.friction").value_or(scene.base.friction);
+    if (!values.given("side_walls.across") && !values.refused("side_walls.across")) {
+      values.report("side_walls", "`side_walls` needs `across`, their normal: {across: x}");
+    }
+  }
+  if (values.word("base.moves_along") == "x") {
+    scene.base.direction = DriveDirection::x;
+    if (!values.given("side_walls")) {
+      values.report("base.moves_along",
+                    "`base.moves_along: x` needs walls that push the grains; write side_walls: "
+                    "{across: x}");
+    }
+  }
+}
+
+/// The event engine knows the base alone.
+void check_engine(SceneValues& values, const Scene& scene) {
+  if (!scene.walled() || scene.protocol.engine != Engine::events) return;
+  values.report("protocol.engine",
+                "`protocol.engine: events` does not know a lid or side walls; write auto or "
+                "uniform");
 }
 
 void read_measure(SceneValues& values, Scene& scene) {
@@ -235,14 +290,15 @@ void read_snapshots(SceneValues& values, Scene& scene) {
 }
 
 void read_gravity(SceneValues& values, Scene& scene) {
-  const auto gravity = values.number("gravity");
-  if (!gravity || *gravity == 1) return;
-  scene.gravity = 1;
-  values.report("gravity", *gravity == 0
-                               ? "`gravity: 0` needs a lid over the bed, which this version does "
-                                 "not have; write gravity: 1"
-                               : "`gravity` is the unit of acceleration: 1 (a physical g is "
-                                 "units.gravity)");
+  scene.gravity = values.number("gravity").value_or(1);
+  if (scene.gravity != 0 && scene.gravity != 1) {
+    scene.gravity = 1;
+    values.report("gravity",
+                  "`gravity` is the unit of acceleration: 1, or 0 (a physical g is units.gravity)");
+  } else if (scene.gravity == 0 && !values.given("lid")) {
+    values.report("gravity",
+                  "`gravity: 0` needs a lid, or grains fly away; write lid: {height: 10}");
+  }
 }
 
 }  // namespace
@@ -263,10 +319,13 @@ Scene scene_from(SceneValues& values) {
   scene.base.drive =
       drive_from(values, diameter_mm, values.number("units.gravity").value_or(standard_gravity));
 
+  read_walls(values, scene);
+
   scene.contact.stiffness = values.number("contact.stiffness");
   read_tangential(values, scene);
   read_protocol(values, scene);
   read_snapshots(values, scene);
+  check_engine(values, scene);
   scene.seed = static_cast<std::uint64_t>(values.integer("seed").value_or(1));
   return scene;
 }

@@ -31,6 +31,26 @@ std::string list_text(const std::vector<double>& values) {
   return "[" + text + "]";
 }
 
+/// Nothing for a bed with a base alone: its text, and with it its key, is older than walls.
+std::string walls_text(const Scene& scene) {
+  std::string text;
+  if (scene.base.direction == DriveDirection::x) text += "  moves_along: x\n";
+  const auto surface = [&text](double restitution, double friction) {
+    text += "  restitution: " + number_text(restitution) + "\n";
+    text += "  friction: " + number_text(friction) + "\n";
+  };
+  if (scene.lid) {
+    text += "lid:\n  height: " + number_text(scene.lid->height) + "\n";
+    text += std::string("  moves: ") + (scene.lid->moves_with_base ? "with_base" : "fixed") + "\n";
+    surface(scene.lid->restitution, scene.lid->friction);
+  }
+  if (scene.side_walls) {
+    text += "side_walls:\n  across: x\n";
+    surface(scene.side_walls->restitution, scene.side_walls->friction);
+  }
+  return text;
+}
+
 std::string tangential_text(const Scene::Contact& contact) {
   if (contact.tangential == TangentialLaw::frictionless) return " frictionless\n";
   std::string damping = "c_n";
@@ -87,6 +107,7 @@ std::string canonical_yaml(const Scene& scene) {
   text += "    angular_frequency: " + number_text(scene.base.drive.angular_frequency) + "\n";
   text += "  restitution: " + number_text(scene.base.restitution) + "\n";
   text += "  friction: " + number_text(scene.base.friction) + "\n";
+  text += walls_text(scene);
   text += "contact:\n  normal: linear_spring_dashpot\n  stiffness: ";
   text += scene.contact.stiffness ? number_text(*scene.contact.stiffness) : "auto";
   text += "\n  tangential:" + tangential_text(scene.contact);

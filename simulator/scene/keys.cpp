@@ -29,7 +29,8 @@ const std::vector<Key>& table() {
       {"dimension", integer, "1", from_to(2, 3), {}, true, "",
        "2 (x and z; grains are spheres there too) or 3"},
       {"gravity", number, "g", from_to(0, 1), {}, false, "1",
-       "1 by the choice of units; 0 needs a lid, which this version does not have"},
+       "1 by the choice of units; 0 needs a lid (then `W`, `Gamma` and physical frequencies of the drive "
+       "still mean the unit g)"},
 
       {"grains.count", integer, "1", from_to(1, 1e6), {}, false, "this or layers",
        "grain count"},
@@ -43,8 +44,8 @@ const std::vector<Key>& table() {
        "the grain diameter d, which turns keys with physical units into reduced ones"},
 
       {"cell", numbers, "d", from_to(2.2, 1e4), {}, false, "this or cell_mm",
-       "periodic lateral widths: [L_x, L_y] in 3D, [L_x] in 2D (below 2.2 d a grain would meet "
-       "another one and its image at once)"},
+       "lateral widths: [L_x, L_y] in 3D, [L_x] in 2D; periodic unless there are side walls (below "
+       "2.2 d a grain would meet another one and its image at once)"},
       {"cell_mm", numbers, "mm", positive, {}, false, "this or cell",
        "the same in mm; needs the grain diameter"},
 
@@ -68,6 +69,25 @@ const std::vector<Key>& table() {
        "normal restitution coefficient e_w of the base"},
       {"base.friction", number, "1", from_to(0, 100), {}, false, "as grains.friction",
        "friction coefficient of the base"},
+
+      {"base.moves_along", word, "", any_value, {"z", "x"}, false, "z",
+       "direction of the drive; x needs side_walls"},
+
+      {"lid.height", number, "d", above_up_to(0, 1e5), {}, false, "no lid",
+       "of the lid's lower surface above the base's mean height"},
+      {"lid.moves", word, "", any_value, {"with_base", "fixed"}, false, "with_base",
+       "with_base: at a constant height above the base; fixed: it stands still"},
+      {"lid.restitution", number, "1", open_to_one, {}, false, "as base.restitution",
+       "normal restitution coefficient of the lid"},
+      {"lid.friction", number, "1", from_to(0, 100), {}, false, "as base.friction",
+       "friction coefficient of the lid"},
+      {"side_walls.across", word, "", any_value, {"x"}, false, "no side walls",
+       "rigid walls at both ends of the cell in this direction, moving with the base: x = 0 and "
+       "x = L_x"},
+      {"side_walls.restitution", number, "1", open_to_one, {}, false, "as base.restitution",
+       "normal restitution coefficient of the side walls"},
+      {"side_walls.friction", number, "1", from_to(0, 100), {}, false, "as base.friction",
+       "friction coefficient of the side walls"},
 
       {"contact.normal", word, "", any_value, {"linear_spring_dashpot"}, false,
        "linear_spring_dashpot",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,10 @@ enum class Engine { automatic, uniform, events };
 /// provably isolated (automatic: the latter).
 enum class ContactOperator { automatic, fine, closed };
 
+/// The direction in which the base moves, and with it all walls that are said to: z (vertical) or
+/// x.
+enum class DriveDirection { z, x };
+
 /// One bed as the user asked for it, in reduced units (grain diameter d = 1, grain mass m = 1,
 /// time sqrt(d/g)). Reading fills every member; `auto` stays an empty optional.
 struct Scene {
@@ -44,7 +49,24 @@ struct Scene {
     Drive drive;
     double restitution = 0.9;
     double friction = 0;
+    DriveDirection direction = DriveDirection::z;
   } base;
+
+  /// A rigid lid; its height is that of its surface above the base's mean height.
+  struct Lid {
+    double height = 0;            ///< [d]
+    bool moves_with_base = true;  ///< else it stands still
+    double restitution = 0.9;
+    double friction = 0;
+  };
+  std::optional<Lid> lid;
+
+  /// Rigid walls across x at both ends of the cell, x = 0 and x = L_x, moving with the base.
+  struct SideWalls {
+    double restitution = 0.9;
+    double friction = 0;
+  };
+  std::optional<SideWalls> side_walls;
 
   struct Contact {
     NormalLaw normal = NormalLaw::linear_spring_dashpot;
@@ -87,13 +109,40 @@ struct Scene {
 
   std::uint64_t seed = 1;
 
-  double W() const {  ///< V_p^2/(d g)
+  double W() const {  ///< V_p^2/(d g); infinite at g = 0
     const double v = base.drive.peak_velocity();
     return v * v / gravity;
   }
-  double Gamma() const {  ///< A omega^2/g
+  double Gamma() const {  ///< A omega^2/g; infinite at g = 0
     return base.drive.amplitude * base.drive.angular_frequency * base.drive.angular_frequency /
            gravity;
+  }
+  /// A bed with walls beside its base is moved by the uniform stepper.
+  bool walled() const { return lid || side_walls; }
+  bool any_friction() const {
+    return grains.friction > 0 || base.friction > 0 || (lid && lid->friction > 0) ||
+           (side_walls && side_walls->friction > 0);
+  }
+  /// Nothing dissipates.
+  bool elastic() const {
+    return grains.restitution == 1 && base.restitution == 1 && (!lid || lid->restitution == 1) &&
+           (!side_walls || side_walls->restitution == 1) && !any_friction();
+  }
+  /// A base that moves up and down with Gamma < 1 never throws the bed that lies on it.
+  bool never_thrown() const {
+    return gravity > 0 && base.direction == DriveDirection::z && Gamma() < 1;
+  }
+  /// Least distance between the base and the lid during a cycle [d]; infinite without a lid.
+  double clearance() const {
+    if (!lid) return INFINITY;
+    const bool narrows = !lid->moves_with_base && base.direction == DriveDirection::z;
+    return lid->height - (narrows ? base.drive.amplitude : 0);
+  }
+  /// How long a grain that leaves the base at V_p flies before it is back [sqrt(d/g)].
+  double flight_time() const {
+    const double v = base.drive.peak_velocity();
+    const double to_lid_and_back = lid ? 2 * lid->height / v : INFINITY;
+    return gravity > 0 ? std::min(2 * v / gravity, to_lid_and_back) : to_lid_and_back;
   }
   double cell_area() const {  ///< L_x L_y [d^2] in 3D, L_x [d] in 2D
     double area = 1;

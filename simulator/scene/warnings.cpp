@@ -56,12 +56,11 @@ std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& pa
     warn("a contact lasts " + rounded(angle) +
          " rad of the drive's cycle: the softness of the grains shapes the result");
   }
-  if (scene.Gamma() < 1) {
+  if (scene.never_thrown()) {
     warn("Gamma = " + rounded(scene.Gamma()) +
          " < 1: the base never leaves the bed behind, so the bed stays at rest and T_z is 0");
   }
-  const bool elastic = scene.grains.restitution == 1 && scene.base.restitution == 1;
-  if (elastic && !parameters.turns_grains) {
+  if (scene.elastic()) {
     warn("nothing dissipates energy (e = 1, no friction): the bed heats up without end");
   }
   if (scene.grains.count == 1) {
@@ -69,9 +68,9 @@ std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& pa
   }
   // A grain thrown at V_p flies for 2 V_p/g, which is Gamma/pi cycles; fewer than about 30 of
   // these do not let a standard error be judged.
-  const double flight = std::max(1.0, scene.Gamma() / M_PI);
+  const double flight = std::max(1.0, scene.flight_time() / scene.base.drive.period());
   if (const auto& cycles = scene.protocol.cycles;
-      cycles && static_cast<double>(*cycles) < 30 * flight && scene.Gamma() >= 1) {
+      cycles && static_cast<double>(*cycles) < 30 * flight && !scene.never_thrown()) {
     warn(std::to_string(*cycles) + " measured cycles are few: 30 flights of the bed take about " +
          rounded(std::ceil(30 * flight)) + ", so standard errors will be rough");
   }

@@ -39,6 +39,19 @@ class RandomScenes {
         {"seed", std::to_string(random_() >> 1)},
     };
     if (chance()) {
+      keys.push_back({"lid.height", between(1100, 2000)});
+      keys.push_back({"lid.moves", pick({"with_base", "fixed"})});
+      keys.push_back({"lid.friction", chance() ? "0" : between(0, 2)});
+      keys.push_back({"gravity", pick({"0", "1"})});
+    }
+    if (chance()) {
+      keys.push_back({"side_walls.across", "x"});
+      keys.push_back({"side_walls.restitution", between(0.01, 1)});
+      keys.push_back({"base.moves_along", pick({"x", "z"})});
+    }
+    const bool walled = keys.size() > 17;
+    if (walled) keys.push_back({"protocol.engine", pick({"auto", "uniform"})});
+    if (chance()) {
       keys.push_back({"protocol.snapshots.phases", "[" + between(0.5, 1) + ", 0]"});
       if (chance())
         keys.push_back({"protocol.snapshots.cycles", std::to_string(1 + random_() % 9)});
@@ -82,6 +95,17 @@ TEST_CASE("The canonical text of any scene reads back as that scene") {
     REQUIRE(back.contact.tangential == scene.contact.tangential);
     REQUIRE(back.contact.damping_value == scene.contact.damping_value);
     REQUIRE(back.protocol.time_step_fraction == scene.protocol.time_step_fraction);
+    REQUIRE(back.gravity == scene.gravity);
+    REQUIRE(back.lid.has_value() == scene.lid.has_value());
+    if (scene.lid) {
+      REQUIRE(back.lid->height == scene.lid->height);
+      REQUIRE(back.lid->moves_with_base == scene.lid->moves_with_base);
+      REQUIRE(back.lid->restitution == scene.lid->restitution);
+      REQUIRE(back.lid->friction == scene.lid->friction);
+    }
+    REQUIRE(back.side_walls.has_value() == scene.side_walls.has_value());
+    REQUIRE(back.base.direction == scene.base.direction);
+    REQUIRE(back.protocol.snapshots.phases == scene.protocol.snapshots.phases);
     REQUIRE(back.protocol.until.has_value() == scene.protocol.until.has_value());
     if (scene.protocol.until) {
       REQUIRE(back.protocol.until->fraction == scene.protocol.until->fraction);

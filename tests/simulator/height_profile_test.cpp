@@ -96,6 +96,34 @@ TEMPLATE_TEST_CASE_SIG("profile: counts sum to the grains, phi to their volume",
   CHECK(result.z.front() == -1.5);
 }
 
+// Every state sampled with its mirror image v -> -v leaves no local mean velocity, so that boxes
+// hold all of the kinetic energy: sum over boxes of grains x T_c = sum over grains of (m/2) v_c^2.
+TEMPLATE_TEST_CASE_SIG("profile: local temperatures sum to the kinetic energy", "", ((int D), D), 2,
+                       3) {
+  RandomStream random(4, simulator::RandomPurpose::thermal_velocities);
+  HeightProfile<D> profile(0, 7);
+  double energy = 0;
+  for (int cycle = 0; cycle < 100; ++cycle) {
+    std::vector<double> heights;
+    std::vector<double> velocities;
+    for (int i = 0; i < 30; ++i) {
+      heights.push_back(12 * random.uniform());
+      velocities.push_back((1 + heights.back()) * random.normal());
+      energy += 0.5 * velocities.back() * velocities.back() / 100;
+    }
+    profile.sample(grains_at<D>(heights, velocities));
+    for (double& v : velocities) v = -v;
+    profile.sample(grains_at<D>(heights, velocities));
+    profile.end_cycle();
+  }
+  const auto result = profile.summarise().profile;
+  const auto& grains = column(result, "grains_in_box").mean;
+  const auto& T_z = column(result, "T_z").mean;
+  double held = 0;
+  for (std::size_t k = 0; k < grains.size(); ++k) held += grains[k] * T_z[k];
+  CHECK(held == Approx(energy).epsilon(1e-12));
+}
+
 // One grain centred 0.2 d above the middle of box [1, 2): 0.2 d of it reach into box [2, 3).
 TEST_CASE("profile: a grain's volume is shared between boxes as it lies") {
   HeightProfile<3> profile(0, 1);
