@@ -16,11 +16,16 @@ namespace {
 
 /// What is known of a point without running it.
 std::vector<simulator::Scalar> point_scalars(const simulator::Scene& scene) {
-  return {{"W", "1", scene.W()},
-          {"Gamma", "1", scene.Gamma()},
-          {"V_p", "sqrt(g d)", scene.base.drive.peak_velocity()},
-          {"layers", "1", scene.grains.layers},
-          {"grains", "1", static_cast<double>(scene.grains.count)}};
+  const double v = scene.base.drive.peak_velocity();
+  std::vector<simulator::Scalar> scalars{
+      {"W", "1", scene.W()},
+      {"Gamma", "1", scene.Gamma()},
+      {"V_p", "sqrt(g d)", v},
+      {"layers", "1", scene.grains.layers},
+      {"grains", "1", static_cast<double>(scene.grains.count)}};
+  // Without gravity there is no W; V_p^2/(d g) with the unit g is still an abscissa.
+  if (scene.gravity == 0) scalars.push_back({"W_nominal", "1", v * v});
+  return scalars;
 }
 
 void drop_what_the_point_says(store::TableRow& row) {
@@ -170,7 +175,8 @@ Collected collect_snapshots(const Grid& grid, const store::Cache& cache) {
                        [&](const auto& column) { return column.name == scalar.name; });
   };
   for (const auto& scalar : point_scalars(grid.points.front().scene)) {
-    if (!taken(scalar)) columns.push_back({scalar.name, scalar.unit});
+    if (taken(scalar) || scalar.name == "W_nominal") continue;
+    columns.push_back({scalar.name, scalar.unit});
   }
   columns.push_back({"replicate", "1"});
   columns.insert(columns.end(), grain_columns.begin(), grain_columns.end());
@@ -181,7 +187,7 @@ Collected collect_snapshots(const Grid& grid, const store::Cache& cache) {
     asked_for = asked_for || !scene.protocol.snapshots.phases.empty();
     auto cells = reader.point(k).labels;
     for (const auto& scalar : point_scalars(scene)) {
-      if (taken(scalar)) continue;
+      if (taken(scalar) || scalar.name == "W_nominal") continue;
       cells.push_back(std::isfinite(scalar.value) ? files::number_text(scalar.value) : "");
     }
     const auto replicates = reader.records(k, collected);
