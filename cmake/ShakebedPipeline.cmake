@@ -1,6 +1,7 @@
 # The experiments as chains of files, each link declared once:
 #
 #   add_sweep(id FILE sweep.yaml [SHIPPED averages.csv] [PROFILES [SHIPPED_PROFILES profiles.csv]])
+#     or with SNAPSHOTS [SHIPPED_SNAPSHOTS snapshots.csv]
 #   add_fit(id FILE fit.yaml SWEEP sweep-id [USES files...])
 #   add_figure(id SPEC figure.yaml NEEDS sweep- and fit-ids)
 #
@@ -14,7 +15,7 @@
 # file rules behind that table, so a changed fit never touches a bed.
 #
 # A figure's specification knows the tables by the ids of its NEEDS: a sweep's table under its id (its
-# height profiles under <id>.profiles), a fit's under <id>.parameters, <id>.summary, <id>.curves, ... (SHAKEBED_FIT_TABLES).
+# height profiles under <id>.profiles, its snapshots under <id>.snapshots), a fit's under <id>.parameters, <id>.summary, <id>.curves, ... (SHAKEBED_FIT_TABLES).
 
 set(SHAKEBED_RESULTS "${CMAKE_BINARY_DIR}/results" CACHE PATH "Tables, fits and figures")
 set(SHAKEBED_FIT_TABLES parameters summary exponents curves comparison correlations points collapse
@@ -89,9 +90,11 @@ function(shakebed_collect origin ids offered targets tables files)
 endfunction()
 
 # add_sweep(id FILE sweep.yaml [SHIPPED averages.csv] [PROFILES [SHIPPED_PROFILES profiles.csv]])
-# PROFILES: the height profiles are collected too.
+#   [SNAPSHOTS [SHIPPED_SNAPSHOTS snapshots.csv]]
+# PROFILES: the height profiles are collected too; SNAPSHOTS: so are the snapshots.
 function(add_sweep id)
-  cmake_parse_arguments(PARSE_ARGV 1 S "PROFILES" "FILE;SHIPPED;SHIPPED_PROFILES" "")
+  cmake_parse_arguments(PARSE_ARGV 1 S "PROFILES;SNAPSHOTS"
+    "FILE;SHIPPED;SHIPPED_PROFILES;SHIPPED_SNAPSHOTS" "")
   shakebed_declare(SOURCE "${id}")
   shakebed_existing_file(file "${id}" "${S_FILE}")
   foreach(profile quick paper)
@@ -106,6 +109,14 @@ function(add_sweep id)
       list(APPEND collecting --profiles "${profiles}.new")
       set(replacing COMMAND ${CMAKE_COMMAND} "-DNEW=${profiles}.new" "-DTARGET=${profiles}"
                             -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake")
+    endif()
+    set(snapshots "${SHAKEBED_RESULTS}/${profile}/tables/${id}.snapshots.csv")
+    if(S_SNAPSHOTS)
+      list(APPEND offers "${id}.snapshots=${snapshots}")
+      list(APPEND replacing
+        COMMAND shakebed sweep snapshots "${file}" --profile ${profile} --csv "${snapshots}.new"
+        COMMAND ${CMAKE_COMMAND} "-DNEW=${snapshots}.new" "-DTARGET=${snapshots}"
+                -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake")
     endif()
     list(TRANSFORM offers REPLACE "^[^=]*=" "" OUTPUT_VARIABLE made)
     add_custom_target(${target}
@@ -122,14 +133,14 @@ function(add_sweep id)
     shakebed_offer("${id}" ${profile} ${target} "${offers}")
   endforeach()
   if(S_SHIPPED)
-    shakebed_offer_shipped("${id}" "${S_SHIPPED}" "${S_SHIPPED_PROFILES}")
+    shakebed_offer_shipped("${id}" "${S_SHIPPED}" "${S_SHIPPED_PROFILES}" "${S_SHIPPED_SNAPSHOTS}")
   endif()
 endfunction()
 
-# Averages (and profiles) under data/, as far as they are there: all of a sweep's or none.
-function(shakebed_offer_shipped id averages profiles)
+# Averages (and profiles or snapshots) under data/, as far as they are there: all of a sweep's or none.
+function(shakebed_offer_shipped id averages profiles snapshots)
   set(offers)
-  foreach(pair "${id}=${averages}" "${id}.profiles=${profiles}")
+  foreach(pair "${id}=${averages}" "${id}.profiles=${profiles}" "${id}.snapshots=${snapshots}")
     string(REGEX REPLACE "^([^=]*)=(.*)$" "\\1;\\2" parts "${pair}")
     list(GET parts 0 name)
     if(pair STREQUAL "${name}=")
