@@ -54,7 +54,8 @@ class Measurement {
 
   /// Where profiles are taken from at the next of the cycle's equal phases, 1/n, 2/n, ... 1.
   BaseState next_origin() {
-    if (scene_.protocol.profile.frame == Scene::ProfileChoice::Frame::lab) return {0, 0};
+    const bool rises = scene_.base.direction == DriveDirection::z;
+    if (!rises || scene_.protocol.profile.frame == Scene::ProfileChoice::Frame::lab) return {0, 0};
     const auto& drive = scene_.base.drive;
     const double phase = static_cast<double>(++sampled_phases_) / phases_per_cycle;
     return BaseMotion{drive.amplitude, drive.peak_velocity()}.at(phase);
