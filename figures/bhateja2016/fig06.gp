@@ -33,6 +33,7 @@ set label 1 '(c)'
 set xlabel ' '
 set xrange [0.5:2.5]
 set xtics ('{/:Italic e} = 0.7' 1, 'μ = 0.4' 2)
+set key at graph 0.97, 0.05 right bottom Left reverse font ',10' samplen 1
 place(n) = kind('e_p') ? 1 : kind('mu_p') ? 2 : NaN
 plot 2 with lines linecolor rgb grey dashtype '-', \
      exponents using (place(0)):(column(exponents_alpha)):(column(exponents_alpha_se)) \

@@ -13,4 +13,10 @@ Scene scene_from(SceneValues& values);
 /// The same for base.drive alone; `diameter_mm` and `gravity_si` [m/s2] are the scene's units.
 Drive drive_from(SceneValues& values, std::optional<double> diameter_mm, double gravity_si);
 
+/// Lid, side walls and the direction of the drive; grains, cell and base must have been read.
+void read_walls(SceneValues& values, Scene& scene);
+
+/// The event engine knows the base alone.
+void check_engine(SceneValues& values, const Scene& scene);
+
 }  // namespace shakebed::simulator

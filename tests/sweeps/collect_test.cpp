@@ -149,5 +149,62 @@ TEST_CASE(
   CHECK(at(0, "stationary") == 1);
 }
 
+simulator::Record record_with_snapshots(const simulator::Scene& scene) {
+  auto record = pretended_record(scene);
+  for (const double phase : scene.protocol.snapshots.phases) {
+    simulator::Snapshot snapshot;
+    snapshot.name = phase == 0 ? "T7" : "T7.5";
+    snapshot.cycles = 7 + phase;
+    snapshot.base_height = -phase;
+    snapshot.radius = {0.5, 0.5};
+    snapshot.position = {{1, 0, 2}, {3, 0, 4}};
+    snapshot.velocity = {{0, 0, 0}, {3, 0, 4}};
+    record.snapshots.push_back(snapshot);
+  }
+  return record;
+}
+
+TEST_CASE("Snapshots are one row a grain, with the speed over V_p") {
+  const SmallSweep small;
+  const Cache cache(small.folder.path() / "cache");
+  const std::string axes = "axes: [{key: base.drive.W, values: [4, 25]}]\nreplicates: 2\n";
+  CHECK_THROWS_WITH(sweeps::collect_snapshots(small.grid(axes), cache),
+                    Catch::Contains("protocol.snapshots"));
+  const auto grid = small.grid("set: {protocol.snapshots.phases: [0, 0.5]}\n" + axes);
+  sweeps::run_ensemble(sweeps::runs_of(grid), cache,
+                       [](const auto& scene, const auto&) { return record_with_snapshots(scene); },
+                       {1, {}, nullptr});
+  const auto collected = sweeps::collect_snapshots(grid, cache);
+  CHECK(collected.runs_present == 4);
+  const auto& table = collected.table;
+  REQUIRE(table.rows() == 2 * 2 * 2 * 2);  // points, replicates, snapshots, grains
+  const auto at = [&](std::size_t row, const char* name) {
+    return table.number(row, table.column(name));
+  };
+  CHECK(at(0, "W") == 4);
+  CHECK(at(15, "W") == 25);
+  CHECK(at(0, "speed") == 0);
+  CHECK(at(1, "speed") == Approx(2.5));   // 5 over V_p = 2
+  CHECK(at(15, "speed") == Approx(1.0));  // 5 over V_p = 5
+  CHECK(at(15, "z") == 4);
+  CHECK(at(15, "replicate") == 2);
+  CHECK(table.text(15, table.column("snapshot")) == "T7.5");
+  CHECK(at(15, "base_height") == -0.5);
+}
+
+TEST_CASE("Without gravity a point has a nominal W and no other") {
+  const SmallSweep small;
+  const auto grid =
+      small.grid("set: {lid.height: 10}\naxes: [{key: gravity, values: [0, 1]}]\nreplicates: 1\n");
+  const Cache cache(small.folder.path() / "cache");
+  make(sweeps::runs_of(grid), cache);
+  const auto table = sweeps::collect(grid, cache).table;
+  CHECK(std::isnan(table.number(0, table.column("W"))));
+  CHECK(std::isnan(table.number(0, table.column("Gamma"))));
+  CHECK(table.number(0, table.column("W_nominal")) == Approx(9));
+  CHECK(table.number(1, table.column("W")) == Approx(9));
+  CHECK(std::isnan(table.number(1, table.column("W_nominal"))));
+}
+
 }  // namespace
 }  // namespace shakebed::tests
