@@ -15,10 +15,12 @@ do for [panel = 1:2] {
   if (panel == 1) {
     set xrange [0:475]
     set yrange [0:*]
+    set xtics 0, 100
     set key at graph 0.97, 0.97 right top Left reverse font ',11' samplen 2
   } else {
     set logscale xy
     set xrange [0.7:600]
+    set xtics (1, 10, 100)
     set yrange [*:*]
     set format y '10^{%T}'
     unset key
@@ -31,7 +33,7 @@ do for [panel = 1:2] {
          with yerrorlines pointtype 5 pointsize 0.8 linewidth 1.4 linecolor rgb vermillion title 'without gravity', \
        weightless using (isnt('steady', weightless_state, column(weightless_W_nominal))):(column(weightless_T_z_twice_scaled)):(column(weightless_T_z_twice_scaled_se)) \
          with yerrorbars pointtype 4 pointsize 0.9 linewidth 1.4 linecolor rgb vermillion, \
-       keyentry with points pointtype 6 pointsize 0.9 linecolor rgb grey title 'not stationary, or too few cycles to say', \
+       keyentry with points pointtype 6 pointsize 0.9 linecolor rgb grey title 'not known to be steady', \
        keyentry with yerrorbars pointtype 0 linecolor rgb grey title '± one standard error'
 }
 unset multiplot
