@@ -12,6 +12,11 @@ namespace {
 using files::CsvTable;
 using files::number_text;
 
+/// A point of the sweep that says nothing about its curve.
+bool not_run(const CsvTable& table, std::size_t row) {
+  return table.has_column("replicates") && table.number(row, table.column("replicates")) == 0;
+}
+
 /// The usable points of `column` against W, and the next point of the selection under them.
 struct WholeCurve {
   Curve curve;
@@ -32,6 +37,7 @@ WholeCurve whole_curve(const CsvTable& table, const RowChoice& rows, const std::
   }
   if (whole.curve.W.empty()) return whole;
   for (std::size_t row : selected_rows(table, rows.select)) {
+    if (not_run(table, row)) continue;
     const double W = table.number(row, table.column("W"));
     if (W < whole.curve.W.front() && !(whole.below && *whole.below >= W)) whole.below = W;
   }

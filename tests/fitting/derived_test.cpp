@@ -64,6 +64,35 @@ TEST_CASE("A collapsed curve passes through (1, 1) near its peak") {
   CHECK(height == Approx(1).margin(0.03));
 }
 
+TEST_CASE("A point that was not run does not bound a peak from below") {
+  const auto whole = collected_table(0.001, 5);
+  files::CsvTable data([&] {
+    auto columns = whole.columns();
+    columns.push_back({"replicates", "1"});
+    return columns;
+  }());
+  data.name = "collected.csv";
+  // The peak lies at W = 2; all below W = 4 are at rest, or were not run.
+  const auto with_replicates_below = [&](const char* replicates) {
+    files::CsvTable table(data.columns());
+    for (std::size_t row = 0; row < whole.rows(); ++row) {
+      std::vector<std::string> cells;
+      for (std::size_t k = 0; k < whole.columns().size(); ++k) cells.push_back(whole.text(row, k));
+      const bool below = whole.number(row, whole.column("W")) < 4;
+      if (below) cells[whole.column("T_z_twice_scaled")] = "";
+      cells.push_back(below ? replicates : "1");
+      table.add_row(std::move(cells));
+    }
+    return table;
+  };
+  const auto file = read_fit_text(
+      "fit: 1\nid: f\npeaks: [{id: p, y: T_z_twice_scaled, select: {system: 2D rough}}]\n",
+      "f.yaml");
+  CHECK(run_fits(file, with_replicates_below("1")).peaks.front().peak);
+  CHECK_THROWS_WITH(run_fits(file, with_replicates_below("0")),
+                    Catch::Contains("nothing was measured below"));
+}
+
 TEST_CASE("The ranges of earlier studies come from their one table") {
   std::ofstream("studies.csv") << "key [],W_from [1],W_to [1],provenance []\n"
                                   "warr,0.5,9,given\nyang,2,20,reconstructed\n";
