@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
-#include <fstream>
 
 #include "fitting/fit.hpp"
 #include "fitting/tables.hpp"
+#include "tests/figures/scratch.hpp"
 #include "tests/fitting/table.hpp"
 
 namespace shakebed::fitting {
@@ -94,12 +94,15 @@ TEST_CASE("A point that was not run does not bound a peak from below") {
 }
 
 TEST_CASE("The ranges of earlier studies come from their one table") {
-  std::ofstream("studies.csv") << "key [],W_from [1],W_to [1],provenance []\n"
-                                  "warr,0.5,9,given\nyang,2,20,reconstructed\n";
+  const tests::ScratchFolder folder;
+  folder.file("studies.csv",
+              "key [],W_from [1],W_to [1],provenance []\n"
+              "warr,0.5,9,given\nyang,2,20,reconstructed\n");
+  const auto here = folder.path() / "f.yaml";
   const auto file = read_fit_text(
       "fit: 1\nid: f\nstudies: studies.csv\ndefaults: {x: V_p, y: T_z, model: power_law}\n"
       "fits: [{id: a, range: {study: warr}}, {id: b, range: {study: yang}}]\n",
-      "f.yaml");
+      here);
   CHECK(file.fits[0].range.from.number == 0.5);
   CHECK(file.fits[0].range.certain);
   CHECK(file.fits[0].range.stretch.empty());
@@ -109,7 +112,7 @@ TEST_CASE("The ranges of earlier studies come from their one table") {
   CHECK_THROWS_WITH(
       read_fit_text("fit: 1\nid: f\nstudies: studies.csv\nfits: [{id: a, x: V_p, y: T_z, model: "
                     "power_law, range: {study: huntley}}]\n",
-                    "f.yaml"),
+                    here),
       Catch::Contains("no study 'huntley'"));
 }
 
