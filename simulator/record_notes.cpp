@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "simulator/scene/warnings.hpp"
+
 namespace shakebed::simulator {
 
 void write_parameters(Record& record, const Scene& scene, const Parameters& p) {
@@ -25,12 +27,7 @@ void write_parameters(Record& record, const Scene& scene, const Parameters& p) {
 
 void warn(Record& record, const Scene& scene, const Parameters& p, const EnergyLedger& ledger) {
   char text[240];
-  if (p.time_step > 0.1 * p.contact_duration) {
-    std::snprintf(text, sizeof text,
-                  "time step is t_c/%.3g; above t_c/10 restitution and temperature are biased",
-                  p.contact_duration / p.time_step);
-    record.warnings.emplace_back(text);
-  }
+  record.warnings = scene_warnings(scene, p);
   constexpr double soft = 0.1;
   if (ledger.largest_overlap > soft) {
     std::snprintf(text, sizeof text,
