@@ -156,9 +156,12 @@ bool EventEngine<Physics>::take_pair_in_one_stride(std::uint32_t i, std::uint32_
   const Vector<D> change = 0.5 * (out.end.v - out.start.v);
   const Vector<D> normal_change = change.dot(n) * n;
   const Vector<D> tangential_change = change - normal_change;
-  const IsolatedGrain<D> members[] = {
-      {i, a.x, a.v, normal_change, tangential_change},
-      {j, Vector<D>(a.x + touch.r), b.v, Vector<D>(-normal_change), Vector<D>(-tangential_change)}};
+  // Changes along the two lines of centres, at touch and at the end, may cancel in their sum: to
+  // second order in t_c a path can leave what the sum allows by the turn times the way covered.
+  const double slack = out.travel.norm() * (out.start.v.norm() + out.end.v.norm()) * duration;
+  const IsolatedGrain<D> members[] = {{i, a.x, a.v, normal_change, tangential_change, slack},
+                                      {j, Vector<D>(a.x + touch.r), b.v, Vector<D>(-normal_change),
+                                       Vector<D>(-tangential_change), slack}};
   if (!isolated(members, 2, t, duration)) return false;
 
   const auto after = contact.at(contact.end(), pair_contact_, physics_, epoch_phase());
@@ -206,7 +209,9 @@ bool EventEngine<Physics>::take_base_in_one_stride(std::uint32_t i, double t) {
   contact.outcome = base_contact_.collide(touch);
   const auto& out = contact.outcome;
   const auto after = contact.at(contact.end(), base_contact_, physics_, epoch_phase()).i;
-  IsolatedGrain<D> member{i, a.x, a.v, Vector<D>::Zero(), after.v - a.v};
+  const double slack =
+      0.5 * (physics_.gravity + physics_.base.peak_velocity * omega) * duration * duration;
+  IsolatedGrain<D> member{i, a.x, a.v, Vector<D>::Zero(), after.v - a.v, slack};
   member.normal_change[vertical] = member.tangential_change[vertical];
   member.tangential_change[vertical] = 0;
   if (!isolated(&member, 1, t, duration)) return false;
@@ -255,13 +260,14 @@ bool EventEngine<Physics>::isolated(const IsolatedGrain<D>* members, std::size_t
   search_.find_near(middle, t, reach, near_);
   const double overshoot = count == 2 ? pair_contact_.normal().largest_impulse_fraction()
                                       : base_contact_.normal().largest_impulse_fraction();
-  const auto clear = [&](std::uint32_t k, const Vector<D>& x, const Vector<D>& v, double astray) {
+  const auto clear = [&](std::uint32_t k, const Vector<D>& x, const Vector<D>& v, double away) {
     for (std::size_t m = 0; m < count; ++m) {
       if (k == members[m].id) return true;
     }
     for (std::size_t m = 0; m < count; ++m) {
       Vector<D> r = x - members[m].x;
       for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);
+      const double astray = away + members[m].slack;
       // Most are too far to be met at any speed; the closer look is for the others.
       const double ball = 1 + astray + (members[m].speed_bound() + fastest_flight_) * duration;
       if (r.squaredNorm() >= ball * ball) continue;

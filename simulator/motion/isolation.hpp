@@ -17,10 +17,11 @@ struct IsolatedGrain {
   Vector<D> v;
   Vector<D> normal_change;
   Vector<D> tangential_change;
+  double slack;  ///< how far its path may leave what the changes allow: the line of centres turns
 
   /// How far its path can stray from the flight it began with, or from the one it ends with.
   double stray(double duration) const {
-    return 1.2 * (normal_change.norm() + tangential_change.norm()) * duration;
+    return 1.2 * (normal_change.norm() + tangential_change.norm()) * duration + slack;
   }
   double speed_bound() const {
     return v.norm() + 1.2 * (normal_change.norm() + tangential_change.norm());
