@@ -4,7 +4,7 @@
 #include <experimental/simd>
 
 #include "simulator/contact/triple.hpp"
-#include "simulator/motion/lanes.hpp"
+#include "simulator/lanes.hpp"
 
 namespace shakebed::simulator {
 
