@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <string>
 
+#include "cli/check_column.hpp"
 #include "cli/commands.hpp"
 #include "cli/overrides.hpp"
 #include "cli/scene_schema.hpp"
@@ -172,8 +173,8 @@ int check_command(const CheckOptions& options) {
   } else if (options.schema) {
     std::fputs(scene_json_schema().c_str(), stdout);
   } else {
-    print_scene(options.scene.string(),
-                simulator::read_scene(options.scene, parse_overrides(options.set)));
+    const auto scene = simulator::read_scene(options.scene, parse_overrides(options.set));
+    (scene.column ? print_column_scene : print_scene)(options.scene.string(), scene);
   }
   return 0;
 }

@@ -14,6 +14,11 @@ int export_command(const ExportOptions& options) {
                            "expected lammps-deck, the one format there is");
   }
   const auto scene = simulator::read_scene(options.scene, parse_overrides(options.set));
+  if (scene.column) {
+    throw files::bad_input(options.scene.string(),
+                           "LAMMPS decks are written for periodic beds only; this scene has a "
+                           "container");
+  }
   std::string name = options.scene.filename().string();
   for (const auto& setting : options.set) name += " --set " + setting;
   const std::string deck = lammps_deck(scene, name);

@@ -12,6 +12,8 @@
 #include "files/atomic_file.hpp"
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/simulate.hpp"
+#include "sweeps/store/bed_store.hpp"
+#include "sweeps/store/cache.hpp"
 #include "sweeps/store/run_file.hpp"
 
 namespace shakebed::cli {
@@ -46,6 +48,8 @@ int run_command(const RunOptions& options) {
   stop_on_signals();
 
   simulator::RunControl control;
+  const auto beds = sweeps::store::bed_store(sweeps::store::Cache::place(std::nullopt));
+  control.store = &beds;
   control.stop_requested = stop_asked;
   if (isatty(STDERR_FILENO) != 0) {
     control.on_progress = [shown = -1](double fraction) mutable {

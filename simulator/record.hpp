@@ -75,6 +75,10 @@ struct Snapshot {
   std::vector<Triple> velocity;  ///< [sqrt(g d)]
   std::vector<Triple> spin;      ///< [sqrt(g/d)]; empty when no law turns grains
   std::vector<SnapshotContact> contacts;
+  /// More of each contact where its law keeps more than the normal force; else empty.
+  std::vector<double> overlap;           ///< [d]
+  std::vector<Triple> normal;            ///< from j, or the wall, to i
+  std::vector<Triple> tangential_force;  ///< on i [m g]
 };
 
 /// Kept apart from the results: these differ from run to run.

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "simulator/bed_store.hpp"
 #include "simulator/record.hpp"
 #include "simulator/scene/scene.hpp"
 
@@ -15,6 +16,7 @@ struct RunControl {
   std::function<bool()> stop_requested;  ///< polled once a cycle; true: throws files::Interrupted
   /// Fraction of the expected work done, in [0, 1], about once a cycle.
   std::function<void(double)> on_progress;
+  const BedStore* store = nullptr;  ///< used by beds in a container
 };
 
 /// One bed, one thread: fill, settle, discard the transient, measure.

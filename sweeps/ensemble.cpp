@@ -13,6 +13,7 @@
 
 #include "files/error.hpp"
 #include "sweeps/cost_model.hpp"
+#include "sweeps/store/bed_store.hpp"
 
 namespace shakebed::sweeps {
 namespace {
@@ -97,7 +98,7 @@ class Ensemble {
     };
     try {
       outcome.record =
-          runner_(runs_[task.run].scene, {[this] { return stop_requested(); }, advance_to});
+          runner_(runs_[task.run].scene, {[this] { return stop_requested(); }, advance_to, &beds_});
     } catch (const files::Interrupted&) {
       return outcome;
     } catch (const std::exception& error) {
@@ -137,6 +138,7 @@ class Ensemble {
   const EnsembleOptions& options_;
   EnsembleReport& report_;
   std::atomic<bool> cannot_write_ = false;
+  const simulator::BedStore beds_ = store::bed_store(cache_.folder());
   const store::Provenance provenance_ = store::provenance_of_this_program();
 };
 

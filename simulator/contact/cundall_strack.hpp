@@ -3,19 +3,11 @@
 #include <cmath>
 #include <experimental/simd>
 
+#include "simulator/contact/chosen.hpp"
 #include "simulator/contact/spring_kind.hpp"
 #include "simulator/contact/triple.hpp"
 
 namespace shakebed::simulator {
-
-/// `here` where the condition holds, else `there`.
-inline double chosen(bool condition, double here, double there) { return condition ? here : there; }
-template <class Simd>
-[[gnu::always_inline]] inline Simd chosen(const typename Simd::mask_type& condition,
-                                          const Simd& here, Simd there) {
-  std::experimental::where(condition, there) = here;
-  return there;
-}
 
 /// Tangential spring with memory (Cundall & Strack 1979; Sun 2006, Eqs. 4 and 6):
 ///   F_t = f (-k_t u - gamma_t m_eff v_t),  |F_t| <= mu |F_n| by truncating u,

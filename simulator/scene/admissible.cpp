@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files/csv.hpp"
+#include "simulator/scene/column.hpp"
 
 namespace shakebed::simulator {
 
@@ -31,7 +32,7 @@ std::vector<double> cell_from(SceneValues& values, std::optional<double> diamete
     values.report("cell", values.given("cell") ? "`cell` and `cell_mm` are both given; keep one"
                                                : "the key `cell` is missing: the periodic "
                                                  "lateral widths, such as [5, 5] in 3D or [10] in "
-                                                 "2D (or `cell_mm`)");
+                                                 "2D (or `cell_mm`, or a `container`)");
     return {};
   }
   if (const auto widths = values.numbers("cell")) return *widths;
@@ -247,6 +248,13 @@ void read_gravity(SceneValues& values, Scene& scene) {
   }
 }
 
+void require_restitution(SceneValues& values) {
+  const std::string path = "grains.restitution";
+  if (values.given(path) || values.refused(path)) return;
+  values.report(path, "the key `" + path +
+                          "` is missing (number): " + std::string(find_scene_key(path)->doc));
+}
+
 }  // namespace
 
 Scene scene_from(SceneValues& values) {
@@ -254,9 +262,14 @@ Scene scene_from(SceneValues& values) {
   scene.dimension = static_cast<int>(values.integer("dimension").value_or(3));
   read_gravity(values, scene);
   const auto diameter_mm = diameter_from(values);
-  scene.cell = cell_from(values, diameter_mm);
-  check_cell_dimension(values, scene);
-  count_and_layers(values, scene);
+  const bool contained = values.given("container");
+  if (!contained) {
+    refuse_column_keys(values);
+    require_restitution(values);
+    scene.cell = cell_from(values, diameter_mm);
+    check_cell_dimension(values, scene);
+    count_and_layers(values, scene);
+  }
 
   scene.grains.restitution = values.number("grains.restitution").value_or(0.9);
   scene.grains.friction = values.number("grains.friction").value_or(0);
@@ -268,10 +281,11 @@ Scene scene_from(SceneValues& values) {
   read_walls(values, scene);
 
   scene.contact.stiffness = values.number("contact.stiffness");
-  read_tangential(values, scene);
+  if (!contained) read_tangential(values, scene);
   read_protocol(values, scene);
   read_snapshots(values, scene);
   check_engine(values, scene);
+  if (contained) read_column(values, scene, diameter_mm);
   scene.seed = static_cast<std::uint64_t>(values.integer("seed").value_or(1));
   return scene;
 }

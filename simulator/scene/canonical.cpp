@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "files/csv.hpp"
+#include "simulator/scene/column.hpp"
 #include "simulator/scene/read_scene.hpp"
 
 namespace shakebed::simulator {
@@ -94,6 +95,7 @@ std::string protocol_text(const Scene::Protocol& protocol) {
 }  // namespace
 
 std::string canonical_yaml(const Scene& scene) {
+  if (scene.column) return canonical_column_yaml(scene);
   std::string text = "scene: 1\n";
   text += "dimension: " + std::to_string(scene.dimension) + "\n";
   text += "gravity: " + number_text(scene.gravity) + "\n";

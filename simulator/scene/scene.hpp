@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "simulator/contact/spring_kind.hpp"
+
 namespace shakebed::simulator {
 
 /// The base moves as z_b(t) = A sin(omega t).
@@ -29,6 +31,37 @@ enum class ContactOperator { automatic, fine, closed };
 /// The direction in which the base moves, and with it all walls that are said to: z (vertical) or
 /// x.
 enum class DriveDirection { z, x };
+enum class OverlapLaw { linear, hertz };
+enum class ContainerFrame { lab, co_moving };
+
+/// What a bed in a shaken cylinder has beside, or instead of, what a periodic one has.
+struct ColumnScene {
+  double diameter = 0;  ///< of the cylinder [d]
+  ContainerFrame frame = ContainerFrame::lab;
+
+  double smallest = 1;  ///< small grains have diameters uniform between these [d]
+  double largest = 1;
+  bool has_large = false;
+  double large_diameter = 0;  ///< [d]
+  double large_density = 0;   ///< over that of the small grains
+
+  OverlapLaw overlap_law = OverlapLaw::linear;
+  SpringKind grain{};                      ///< of contacts between grains
+  SpringKind wall{};                       ///< of contacts with base and side wall
+  double grain_stiffness_ratio = 2.0 / 7;  ///< k_t/k_n
+  double wall_stiffness_ratio = 2.0 / 7;
+
+  double background_damping = 0;      ///< b [m sqrt(g/d)]
+  double air_damping = 0;             ///< b against the air [m sqrt(g/d)]
+  double air_packing_fraction = 0.6;  ///< phi of the air's closure
+
+  std::optional<double> time_step;  ///< [sqrt(d/g)]; empty: fraction of the shortest t_c
+  bool predict_velocities = true;   ///< in contact laws; see ColumnPhysics
+
+  double prepare_frequency = 1.5;        ///< of the shaking that packs the bed [sqrt(g/d)]
+  double prepare_Gamma = 4;              ///< its acceleration [g]
+  double prepare_kinetic_energy = 1e-6;  ///< per grain, at which the bed counts as relaxed [m g d]
+};
 
 /// One bed as the user asked for it, in reduced units (grain diameter d = 1, grain mass m = 1,
 /// time sqrt(d/g)). Reading fills every member; `auto` stays an empty optional.
@@ -43,7 +76,8 @@ struct Scene {
     double friction = 0;
   } grains;
 
-  std::vector<double> cell;  ///< periodic lateral widths [d]; dimension - 1 of them
+  std::vector<double> cell;           ///< periodic lateral widths [d]; dimension - 1 of them
+  std::optional<ColumnScene> column;  ///< a cylinder in place of the cell
 
   struct Base {
     Drive drive;
@@ -104,6 +138,7 @@ struct Scene {
     struct Snapshots {
       std::vector<double> phases;
       long cycles = 1;
+      long from_cycle = 0;  ///< in a container: the first cycle that has them
     } snapshots;
   } protocol;
 
@@ -144,7 +179,8 @@ struct Scene {
     const double to_lid_and_back = lid ? 2 * lid->height / v : INFINITY;
     return gravity > 0 ? std::min(2 * v / gravity, to_lid_and_back) : to_lid_and_back;
   }
-  double cell_area() const {  ///< L_x L_y [d^2] in 3D, L_x [d] in 2D
+  double cell_area() const {  ///< L_x L_y, or the cylinder's, [d^2] in 3D, L_x [d] in 2D
+    if (column) return 0.25 * M_PI * column->diameter * column->diameter;
     double area = 1;
     for (const double width : cell) area *= width;
     return area;

@@ -31,7 +31,8 @@ void write_grains(const Group& group, const Snapshot& snapshot) {
   if (!snapshot.spin.empty()) group.write("spin", snapshot.spin, unit("sqrt(g/d)"));
 }
 
-void write_contacts(const Group& group, const std::vector<SnapshotContact>& contacts) {
+void write_contacts(const Group& group, const Snapshot& snapshot) {
+  const auto& contacts = snapshot.contacts;
   std::vector<std::int64_t> i;
   std::vector<std::int64_t> j;
   std::vector<double> force;
@@ -43,6 +44,10 @@ void write_contacts(const Group& group, const std::vector<SnapshotContact>& cont
   group.write("i", i);
   group.write("j", j);
   group.write("normal_force", force, unit("m g"));
+  if (snapshot.overlap.empty()) return;
+  group.write("overlap", snapshot.overlap, unit("d"));
+  group.write("normal", snapshot.normal);
+  group.write("tangential_force", snapshot.tangential_force, unit("m g"));
 }
 
 void require_length(const Group& group, const char* name, std::size_t got, std::size_t expected) {
@@ -73,15 +78,20 @@ Snapshot read_grains(const Group& group, const std::string& name) {
   return snapshot;
 }
 
-std::vector<SnapshotContact> read_contacts(const Group& group) {
+void read_contacts(const Group& group, Snapshot& snapshot) {
   const auto i = group.integers("i");
   const auto j = group.integers("j");
   const auto force = group.numbers("normal_force");
   require_length(group, "j", j.size(), i.size());
   require_length(group, "normal_force", force.size(), i.size());
-  std::vector<SnapshotContact> contacts;
-  for (std::size_t k = 0; k < i.size(); ++k) contacts.push_back({i[k], j[k], force[k]});
-  return contacts;
+  for (std::size_t k = 0; k < i.size(); ++k) snapshot.contacts.push_back({i[k], j[k], force[k]});
+  if (!group.has("overlap")) return;
+  snapshot.overlap = group.numbers("overlap");
+  snapshot.normal = group.triples("normal");
+  snapshot.tangential_force = group.triples("tangential_force");
+  require_length(group, "overlap", snapshot.overlap.size(), i.size());
+  require_length(group, "normal", snapshot.normal.size(), i.size());
+  require_length(group, "tangential_force", snapshot.tangential_force.size(), i.size());
 }
 
 }  // namespace
@@ -92,7 +102,7 @@ void write_snapshots(const Group& root, const std::vector<Snapshot>& snapshots) 
   const Group contacts = root.make_group("contacts");
   for (const auto& snapshot : snapshots) {
     write_grains(grains.make_group(snapshot.name), snapshot);
-    write_contacts(contacts.make_group(snapshot.name), snapshot.contacts);
+    write_contacts(contacts.make_group(snapshot.name), snapshot);
   }
 }
 
@@ -103,7 +113,7 @@ std::vector<Snapshot> read_snapshots(const Group& root) {
   const Group contacts = root.group("contacts");
   for (const auto& name : grains.names()) {
     snapshots.push_back(read_grains(grains.group(name), name));
-    snapshots.back().contacts = read_contacts(contacts.group(name));
+    read_contacts(contacts.group(name), snapshots.back());
   }
   return snapshots;
 }

@@ -2,6 +2,7 @@
 
 #include <experimental/simd>
 
+#include "simulator/contact/chosen.hpp"
 #include "simulator/motion/column/contacts_of.hpp"
 #include "simulator/motion/column/pair_list.hpp"
 #include "simulator/motion/column/row_store.hpp"

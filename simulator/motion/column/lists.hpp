@@ -46,9 +46,13 @@ class ColumnLists {
   long outer_builds = 0;
 
   ColumnLists(const Physics& physics, const SizedGrains& start, long step,
-              const std::vector<ContactMemory>& remembered)
-      : rows(start), physics_(physics), outer_(physics.cylinder.radius) {
+              const std::vector<ContactMemory>& remembered, std::int64_t held)
+      : rows(start), physics_(physics), outer_(physics.cylinder.radius), held_(held) {
     const std::size_t n = rows.count();
+    if (held >= 0) {  // what pushes it does not move it
+      auto& own = rows.own[static_cast<std::size_t>(held)];
+      own.half_velocity[3] = own.half_rim[3] = 0;
+    }
     caps_.resize(n);
     free_since_.assign(n, -1);
     base.stamp.assign(n, -1);
@@ -292,6 +296,7 @@ class ColumnLists {
     relist_walls(step, left);
     active.clear();
     for (std::uint32_t i = 0; i < rows.count(); ++i) {
+      if (rows.grain[i] == held_) continue;
       if (busy_[i] || base.stamp[i] == window_ || side.stamp[i] == window_) {
         active.push_back(i);
       } else {
@@ -348,6 +353,7 @@ class ColumnLists {
 
   const Physics physics_;
   OuterList outer_;
+  std::int64_t held_;  ///< a grain that does not move, or -1
   std::vector<double> caps_;
   std::vector<long> free_since_;  ///< the step at which a row was left to fly, or -1
   std::vector<long> pair_stamp_;  ///< window in which the outer pair was last listed

@@ -67,16 +67,28 @@ class ColumnReference {
     return state_;
   }
 
+  long touching_pairs() const {
+    return std::count_if(pairs_.begin(), pairs_.end(), [](const auto& p) { return p.touched; });
+  }
+  long touching_walls() const { return static_cast<long>(wall_contacts().size()); }
+
   /// All contacts of the present step, with forces as they acted.
   std::vector<ColumnContact> contacts() const {
     std::vector<ColumnContact> found;
-    const BaseState base = physics_.base_at(step_);
     for (const auto& pair : pairs_) {
       const auto state = pair_state(seen_[pair.i], seen_[pair.j]);
       if (state.overlap <= 0) continue;
       found.push_back(contact_now(physics_.grain_grain, static_cast<std::int32_t>(pair.i),
                                   static_cast<std::int32_t>(pair.j), state, pair.memory));
     }
+    const auto walls = wall_contacts();
+    found.insert(found.end(), walls.begin(), walls.end());
+    return found;
+  }
+
+  std::vector<ColumnContact> wall_contacts() const {
+    std::vector<ColumnContact> found;
+    const BaseState base = physics_.base_at(step_);
     for (std::size_t k = 0; k < seen_.size(); ++k) {
       const auto i = static_cast<std::int32_t>(k);
       const auto low = base_state(seen_[k], base);

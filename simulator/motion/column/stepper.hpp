@@ -22,10 +22,11 @@ class ColumnStepper {
   using PairMemory = typename Physics::template PairMemory<double>;
   using WallMemory = typename Physics::template WallMemory<double>;
 
+  /// A `held` grain stays where it is (in the frame of the simulation), whatever pushes it.
   ColumnStepper(const Physics& physics, const SizedGrains& start, long first_step = 0,
-                const std::vector<ContactMemory>& remembered = {})
+                const std::vector<ContactMemory>& remembered = {}, std::int64_t held = -1)
       : physics_(physics),
-        lists_(physics, start, first_step, remembered),
+        lists_(physics, start, first_step, remembered, held),
         state_(start),
         step_(first_step) {
     if (physics_.drag.any()) add_drag();
@@ -86,6 +87,13 @@ class ColumnStepper {
                                   pair_state(seen_grain(i), seen_grain(j)),
                                   as_memory<PairMemory>(u)));
     }
+    const auto walls = wall_contacts();
+    found.insert(found.end(), walls.begin(), walls.end());
+    return found;
+  }
+
+  std::vector<ColumnContact> wall_contacts() const {
+    std::vector<ColumnContact> found;
     const BaseState base = physics_.base_at(step_);
     add_wall_contacts(found, lists_.base.list, base_partner,
                       [&](const SeenGrain& grain) { return base_state(grain, base); });

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "simulator/scene/scene.hpp"
+#include "simulator/scene/values.hpp"
+
+namespace shakebed::simulator {
+
+/// Completes a scene that has a container; what does not fit goes to the faults of `values`. Called
+/// once grains.count, grains.friction, the drive and the protocol's measured cycles are known.
+void read_column(SceneValues& values, Scene& scene, std::optional<double> diameter_mm);
+
+/// Reports keys that mean something only in a container, and there is none.
+void refuse_column_keys(SceneValues& values);
+
+/// The same bed as YAML that reads back as itself.
+std::string canonical_column_yaml(const Scene& scene);
+
+/// What a prepared bed depends on: scenes that give the same text may share it.
+std::string preparation_text(const Scene& scene);
+
+}  // namespace shakebed::simulator
