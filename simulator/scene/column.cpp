@@ -206,13 +206,14 @@ void refuse_column_keys(SceneValues& values) {
                             "` belongs to beds in a container; add container: {cylinder: "
                             "{diameter: 12}}, or remove it");
   }
-  const auto normal = values.word("contact.normal");
-  const auto law = values.word("contact.tangential.law");
-  if (normal == "hertz" || law == "cundall_strack") {
-    values.report("contact", "`" + (normal == "hertz" ? *normal : *law) +
-                                 "` belongs to beds in a container; add container: {cylinder: "
-                                 "{diameter: 12}}");
-  }
+  const auto refuse_law = [&](const std::string& path, const char* law) {
+    if (values.word(path) != law) return;
+    values.report(path, "`" + path + "`: " + law +
+                            " belongs to beds in a container; add container: {cylinder: "
+                            "{diameter: 12}}, or write another law");
+  };
+  refuse_law("contact.normal", "hertz");
+  refuse_law("contact.tangential.law", "cundall_strack");
 }
 
 void read_column(SceneValues& values, Scene& scene, std::optional<double> diameter_mm) {

@@ -143,7 +143,7 @@ drag: {air: 0.1}
   } catch (const files::Error& error) {
     what = error.what();
   }
-  for (const char* key : {"`grains.sizes`", "`hertz`", "`drag`"}) {
+  for (const char* key : {"`grains.sizes`", "hertz belongs", "`drag`"}) {
     CHECK_THAT(what, Catch::Contains(key));
   }
 }

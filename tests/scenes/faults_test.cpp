@@ -91,7 +91,7 @@ const std::vector<Case> single_faults{
 
     {last, "contact: {stiffness: soft}\nprotocol", "s.yaml:6:22", "number or auto, got `soft`"},
     {last, "contact: {stiffness: aut}\nprotocol", "s.yaml:6:22", "did you mean `auto`?"},
-    {last, "contact: {normal: hertz}\nprotocol", "s.yaml:6:19", "expected linear_spring_dashpot"},
+    {last, "contact: {normal: hertz}\nprotocol", "s.yaml:6:19", "belongs to beds in a container"},
     {last, "contact: {tangential: {law: cundall}}\nprotocol", "s.yaml:6:29",
      "expected viscous_coulomb or frictionless"},
     {last, "contact: {tangential: {damping: c_n}}\nprotocol", "s.yaml:6:23", "needs `law`"},
@@ -135,7 +135,7 @@ const std::vector<Case> single_faults{
     {last, "units: {diameter: 5 ft}\nprotocol", "s.yaml:6:19", "one of the units mm, m, cm, um"},
     {last, "units: {diameter: 0 mm}\nprotocol", "s.yaml:6:19", "expected a value > 0 mm"},
     {last, "units: {colour: red}\nprotocol", "s.yaml:6:9", "known here: diameter density gravity"},
-    {last, "container: {cylinder: 3}\nprotocol", "s.yaml:6:1", "unknown key `container`"},
+    {last, "housing: {cylinder: 3}\nprotocol", "s.yaml:6:1", "unknown key `housing`"},
 };
 
 TEST_CASE("The standard bed has no fault") { CHECK(faults_of(rough_bed).empty()); }
