@@ -6,6 +6,7 @@ const std::vector<Room>& rooms() {
   // Headers with nothing to link, which rooms that must not link the simulator share with it.
   static const std::string record = "simulator/record.hpp";
   static const std::string scene = "simulator/scene/scene.hpp";
+  static const std::string beds = "simulator/bed_store.hpp";
   // Not the cache, and not HDF5 itself: a fit reads what is collected and writes no run; networks
   // read snapshots through the store's layer.
   static const std::string store_reading = "sweeps/store/run_file.hpp";
@@ -17,7 +18,7 @@ const std::vector<Room>& rooms() {
        .packages = {"Eigen/", "Random123/", "experimental/simd"},
        .posix = true},
       {.folder = "sweeps/store/",
-       .ours = {"files/", "sweeps/store/", record, scene},
+       .ours = {"files/", "sweeps/store/", record, scene, beds},
        .packages = {"hdf5.h", "xxhash.h"},
        .posix = true},
       {.folder = "sweeps/",
