@@ -31,6 +31,7 @@ struct BaselinePhysics {
   using TangentialLaw = Tangential;
   static constexpr int dimension = D;
   static constexpr bool turns_grains = Tangential::turns_grains;
+  static constexpr bool walled = false;  // asked by simulator::settle
   using GrainState = simulator::Grains<D, turns_grains>;
   using ContactLaw = Contact<D, LinearSpringDashpot, Tangential>;
 
