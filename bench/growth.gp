@@ -16,6 +16,7 @@ set xlabel "grains"
 set ylabel "CPU time per collision [us]"
 unset logscale y
 set yrange [0:*]
+set key top left
 plot series("wider") using 2:6 with linespoints title "wider, 4 layers", \
      series("deeper") using 2:6 with linespoints title "deeper, 5 x 5 d"
 unset multiplot
