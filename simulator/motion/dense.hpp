@@ -63,7 +63,6 @@ class DenseStepper {
     accumulate_contacts(ledger);
   }
 
-  long step_number() const { return step_; }
   long touching() const { return touching_; }
   const std::vector<Row>& rows() const { return rows_; }
 

@@ -99,8 +99,7 @@ void EventEngine<Physics>::take_in_flights(const Vector<D>& x, double cap) {
   const double window = (look_window + 1) * physics_.time_step;
   // A grain in the middle of a closed contact may be elsewhere than its next flight says.
   search_.find_near(x, t, 1 + 1.05 * (cap + fastest_flight_) * window + largest_stray_, near_);
-  const auto near = near_;
-  for (const auto j : near) {
+  for (const auto j : near_) {
     if (!flights_.present(j)) continue;  // came along with a partner just undone
     Vector<D> r = flights_.position_at(j, t) - x;
     for (int c = 0; c < Dimension<D>::lateral; ++c) r[c] += physics_.cell.image_shift(c, r[c]);

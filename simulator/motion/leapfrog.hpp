@@ -64,40 +64,6 @@ struct LeapfrogGrains {
     for (auto* columns : {&half_spin, &predicted_spin, &spin_acceleration}) resize(*columns, n);
   }
 
-  /// Puts a freely flying grain with velocity v and spin omega at this step into row k.
-  void set_flying(std::size_t k, const Vector<D>& x, Vector<D> v,
-                  const Eigen::Matrix<double, S, 1>& omega, const Physics& physics) {
-    set_row(position, k, x);
-    v[vertical] += 0.5 * physics.time_step * physics.gravity;
-    set_row(half_velocity, k, v);
-    Vector<D> a = Vector<D>::Zero();
-    a[vertical] = -physics.gravity;
-    set_row(acceleration, k, a);
-    set_row(half_spin, k, omega);
-    for (auto& column : spin_acceleration) column[k] = 0;
-  }
-
-  void copy_row(std::size_t to, const LeapfrogGrains& other, std::size_t from) {
-    for (int c = 0; c < D; ++c) {
-      position[c][to] = other.position[c][from];
-      half_velocity[c][to] = other.half_velocity[c][from];
-      predicted_velocity[c][to] = other.predicted_velocity[c][from];
-      acceleration[c][to] = other.acceleration[c][from];
-    }
-    for (int c = 0; c < S; ++c) {
-      half_spin[c][to] = other.half_spin[c][from];
-      predicted_spin[c][to] = other.predicted_spin[c][from];
-      spin_acceleration[c][to] = other.spin_acceleration[c][from];
-    }
-  }
-
-  Vector<D> velocity_now(std::size_t k, double time_step) const {
-    return row(half_velocity, k) + 0.5 * time_step * row(acceleration, k);
-  }
-  Eigen::Matrix<double, S, 1> spin_now(std::size_t k, double time_step) const {
-    return row(half_spin, k) + 0.5 * time_step * row(spin_acceleration, k);
-  }
-
   /// v(n+1/2) and x(n+1) from v(n-1/2) and a(n); v predicted to n+1; accelerations are left at
   /// gravity's, for the contacts of step n+1 to add to.
   void kick_drift_predict(const Physics& physics) {
