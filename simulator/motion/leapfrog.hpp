@@ -124,20 +124,8 @@ struct LeapfrogGrains {
                     bool begins, EnergyLedger& ledger) {
     Vector<D> n = Vector<D>::Zero();
     n[vertical] = -1;
-    Vector<D> v = row(predicted_velocity, i);
-    v[vertical] -= base.velocity;
-    Spin<D> spin_radius = Spin<D>::Zero();
-    if constexpr (turns_grains) spin_radius = grain_radius * row(predicted_spin, i);
-    const auto f = physics.grain_base(n, overlap, v, spin_radius);
-    add_to_row(acceleration, i, f.force);
-    if constexpr (turns_grains) {
-      add_to_row(spin_acceleration, i,
-                 Spin<D>((grain_radius / grain_inertia) * f.moment_per_radius));
-    }
-    ledger.base_work += f.force[vertical] * base.velocity * physics.time_step;
-    ledger.dissipation += f.dissipated_power * physics.time_step;
-    ledger.count_step(overlap, begins);
-    return f.force[vertical];
+    return touch_plane(physics, physics.grain_base, i, n, vertical, base.velocity, overlap, begins,
+                       ledger)[vertical];
   }
 
   /// Adds the contact of row i with a wall; returns the force on the grain along the wall's normal.
@@ -146,25 +134,36 @@ struct LeapfrogGrains {
                     double overlap, bool begins, EnergyLedger& ledger) {
     Vector<D> n = Vector<D>::Zero();
     n[wall.axis] = -wall.inward;
-    const double wall_velocity = wall.moves ? base.velocity : 0;
+    return wall.inward * touch_plane(physics, wall.law, i, n, wall.drive_axis,
+                                     wall.moves ? base.velocity : 0, overlap, begins,
+                                     ledger)[wall.axis];
+  }
+
+  double base_overlap(std::size_t i, const BaseState& base) const {
+    return base.height + grain_radius - position[vertical][i];
+  }
+
+ private:
+  /// Adds the contact of row i with a plane towards which `n` points and which moves along one axis
+  /// at `plane_velocity`; returns the force on the grain.
+  template <class Law>
+  Vector<D> touch_plane(const Physics& physics, const Law& law, std::size_t i, const Vector<D>& n,
+                        int drive_axis, double plane_velocity, double overlap, bool begins,
+                        EnergyLedger& ledger) {
     Vector<D> v = row(predicted_velocity, i);
-    v[wall.drive_axis] -= wall_velocity;
+    v[drive_axis] -= plane_velocity;
     Spin<D> spin_radius = Spin<D>::Zero();
     if constexpr (turns_grains) spin_radius = grain_radius * row(predicted_spin, i);
-    const auto f = wall.law(n, overlap, v, spin_radius);
+    const auto f = law(n, overlap, v, spin_radius);
     add_to_row(acceleration, i, f.force);
     if constexpr (turns_grains) {
       add_to_row(spin_acceleration, i,
                  Spin<D>((grain_radius / grain_inertia) * f.moment_per_radius));
     }
-    ledger.base_work += f.force[wall.drive_axis] * wall_velocity * physics.time_step;
+    ledger.base_work += f.force[drive_axis] * plane_velocity * physics.time_step;
     ledger.dissipation += f.dissipated_power * physics.time_step;
     ledger.count_step(overlap, begins);
-    return wall.inward * f.force[wall.axis];
-  }
-
-  double base_overlap(std::size_t i, const BaseState& base) const {
-    return base.height + grain_radius - position[vertical][i];
+    return f.force;
   }
 };
 
