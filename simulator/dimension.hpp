@@ -28,23 +28,26 @@ using Spin = Eigen::Matrix<Number, Dimension<D>::spin_components, 1>;
 
 /// omega x r.
 template <int D, class Number = double>
-inline Vector<D, Number> cross(const std::type_identity_t<Spin<D, Number>>& omega,
-                               const std::type_identity_t<Vector<D, Number>>& r) {
+[[gnu::always_inline]] inline Vector<D, Number> cross(
+    const std::type_identity_t<Spin<D, Number>>& omega,
+    const std::type_identity_t<Vector<D, Number>>& r) {
   if constexpr (D == 2) {
     return {omega[0] * r[1], -omega[0] * r[0]};
   } else {
-    return omega.cross(r);
+    return {omega[1] * r[2] - omega[2] * r[1], omega[2] * r[0] - omega[0] * r[2],
+            omega[0] * r[1] - omega[1] * r[0]};
   }
 }
 
 /// r x f: a torque.
 template <int D, class Number = double>
-inline Spin<D, Number> moment(const std::type_identity_t<Vector<D, Number>>& r,
-                              const std::type_identity_t<Vector<D, Number>>& f) {
+[[gnu::always_inline]] inline Spin<D, Number> moment(
+    const std::type_identity_t<Vector<D, Number>>& r,
+    const std::type_identity_t<Vector<D, Number>>& f) {
   if constexpr (D == 2) {
     return Spin<D, Number>(r[1] * f[0] - r[0] * f[1]);
   } else {
-    return r.cross(f);
+    return {r[1] * f[2] - r[2] * f[1], r[2] * f[0] - r[0] * f[2], r[0] * f[1] - r[1] * f[0]};
   }
 }
 

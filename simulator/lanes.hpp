@@ -12,6 +12,10 @@ using Lanes = std::experimental::native_simd<double>;
 using LaneMask = Lanes::mask_type;
 inline constexpr std::size_t lane_count = Lanes::size();
 
+/// One number in a register of its own kind. The compiler packs neighbouring doubles of small
+/// vectors into registers and unpacks them again, which costs more than a contact's arithmetic.
+using Lane = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, 2>>;
+
 inline Lanes load_lanes(const double* from) {
   return Lanes(from, std::experimental::element_aligned);
 }
@@ -21,22 +25,19 @@ inline void store_lanes(double* to, const Lanes& lanes) {
 
 /// min(a, b); a where b is not a number.
 inline double smaller(double a, double b) { return b < a ? b : a; }
-inline Lanes smaller(const Lanes& a, const Lanes& b) {
-  Lanes least = a;
+template <class Abi>
+inline std::experimental::simd<double, Abi> smaller(const std::experimental::simd<double, Abi>& a,
+                                                    const std::experimental::simd<double, Abi>& b) {
+  auto least = a;
   std::experimental::where(b < a, least) = b;
   return least;
-}
-
-/// 0, 1, 2, ...
-inline Lanes lane_numbers() {
-  return Lanes([](std::size_t k) { return static_cast<double>(k); });
 }
 
 }  // namespace shakebed::simulator
 
 /// Eigen's small vectors of lanes.
-template <>
-struct Eigen::NumTraits<shakebed::simulator::Lanes>
-    : Eigen::GenericNumTraits<shakebed::simulator::Lanes> {
+template <class Abi>
+struct Eigen::NumTraits<std::experimental::simd<double, Abi>>
+    : Eigen::GenericNumTraits<std::experimental::simd<double, Abi>> {
   enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0 };
 };

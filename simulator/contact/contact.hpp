@@ -49,15 +49,22 @@ struct Contact {
       const std::type_identity_t<Vector<D, Number>>& n, const Number& overlap,
       const std::type_identity_t<Vector<D, Number>>& v,
       const std::type_identity_t<Spin<D, Number>>& spin_radius) const {
-    using std::sqrt;
-    const Number closing_speed = v.dot(n);
+    return (*this)(n, overlap, v, spin_radius, Number(v.dot(n)));
+  }
+
+  /// The same, to whom v.n is known already.
+  template <class Number>
+  [[gnu::always_inline]] inline ContactForce<D, Number> operator()(
+      const std::type_identity_t<Vector<D, Number>>& n, const Number& overlap,
+      const std::type_identity_t<Vector<D, Number>>& v,
+      const std::type_identity_t<Spin<D, Number>>& spin_radius, const Number& closing_speed) const {
     const Number normal_force = normal.force(overlap, closing_speed);
     ContactForce<D, Number> result{n * Number(-normal_force), Spin<D, Number>::Zero(),
                                    normal.dissipated_power(closing_speed)};
     if constexpr (Tangential::turns_grains) {
       const Vector<D, Number> slip = v - n * closing_speed + cross<D, Number>(spin_radius, n);
       const Number slip_squared = slip.squaredNorm();
-      const Number ratio = tangential.force_over_slip(Number(sqrt(slip_squared)), normal_force);
+      const Number ratio = tangential.force_over_slip(slip_squared, normal_force);
       const Vector<D, Number> tangential_force = slip * Number(-ratio);
       result.force += tangential_force;
       result.moment_per_radius = moment<D, Number>(n, tangential_force);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "simulator/contact/contact_kind.hpp"
 #include "simulator/lanes.hpp"
@@ -21,10 +22,16 @@ struct ViscousCoulomb {
   /// F_t / |v_t|: the force is minus this times the slip velocity. Without slip the quotient is
   /// infinite or not a number, and the dashpot's (no force) is returned.
   template <class Number>
-  Number force_over_slip(const Number& slip_speed, const Number& normal_force) const {
+  Number force_over_slip(const Number& slip_squared, const Number& normal_force) const {
     using std::abs;
-    // No branch: which of the two wins is unpredictable in a shaken bed.
-    return smaller(damping, Number(friction * abs(normal_force) / slip_speed));
+    using std::sqrt;
+    const Number most = friction * abs(normal_force);
+    // Which of the two wins is unpredictable in a shaken bed, but not along one contact, where the
+    // root and the quotient are in the way of the next step.
+    if constexpr (std::is_same_v<Number, Lane>) {
+      if (all_of(damping * damping * slip_squared <= most * most)) return damping;
+    }
+    return smaller(Number(damping), Number(most / sqrt(slip_squared)));
   }
 };
 

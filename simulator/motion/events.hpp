@@ -24,19 +24,19 @@ namespace shakebed::simulator {
 
 /// How many contacts went which way, and whether anything slipped through.
 struct EventCounters {
-  long closed = 0;    ///< contacts taken in one stride
+  long closed = 0;    ///< contacts taken in closed form
   long fine = 0;      ///< contacts that were stepped because the scene or a neighbour asked for it
-  long undone = 0;    ///< closed contacts undone because a third grain came near
+  long undone = 0;    ///< contacts in one stride undone because a third grain came near
   long breaches = 0;  ///< grains found overlapping before their touch was seen: must stay 0
   long dense_steps = 0;  ///< steps taken with all grains on the grid
 };
 
 /// Pays for collisions, not for steps: grains fly on parabolas, each with one next event (a touch
 /// with a grain or the base, or a second look at periodic images), and only grains in contact are
-/// integrated. `fine` steps every contact on the global grid and reproduces the uniform engine to
-/// rounding; `closed` takes contacts that are provably isolated in one stride by their exact
-/// solution, and everything else as `fine`. When most grains touch, all of them are handed to the
-/// dense stepper until they fly again. See docs/engine.md.
+/// integrated. Contacts that are provably isolated are taken in one stride: `fine` steps them on
+/// the global grid and reproduces the uniform engine to rounding, `closed` has their exact
+/// solution. All others are stepped on the grid together with whoever is near. When most grains
+/// touch, all of them are handed to the dense stepper until they fly again. See docs/engine.md.
 template <class Physics>
 class EventEngine {
  public:
@@ -81,7 +81,10 @@ class EventEngine {
   }
 
   const GrainState& synchronised();
-  EnergyLedger& ledger() { return ledger_; }
+  EnergyLedger& ledger() {
+    book_ongoing();
+    return ledger_;
+  }
   const EventCounters& counters() const { return counters_; }
   double energy();
   long step_in_cycle() const { return step_ % physics_.steps_per_cycle; }
@@ -109,6 +112,10 @@ class EventEngine {
   double period() const {
     return physics_.time_step * static_cast<double>(physics_.steps_per_cycle);
   }
+  /// The last step of the grid before time t, not before the epoch.
+  long last_step_before(double t) const {
+    return epoch_step_ + std::max(0L, static_cast<long>(std::ceil(t / physics_.time_step)) - 1);
+  }
   BaseState base_at(double t) const { return physics_.base.at(epoch_phase() + t / period()); }
   BaseState base_at_step(long step) const {
     return physics_.base_at_step(step % physics_.steps_per_cycle);
@@ -124,10 +131,22 @@ class EventEngine {
   void touch_pair(std::uint32_t i, std::uint32_t j, double t);
   void touch_base(std::uint32_t i, double t);
   Motion motion_of(std::uint32_t i, double t) const;
+  void launch(std::uint32_t i, const Motion& motion, double t);
+
+  // Contacts taken in one stride.
+  bool steps_contacts() const { return contacts_ == ContactOperator::fine; }
   bool take_pair_in_one_stride(std::uint32_t i, std::uint32_t j, double t);
   bool take_base_in_one_stride(std::uint32_t i, double t);
+  bool close(Ongoing& contact, const RelativeMotion<D>& touch);
+  bool step_through(Ongoing& contact, const RelativeMotion<D>& touch);
   bool isolated(const IsolatedGrain<D>* members, std::size_t count, double t, double duration);
-  void launch(std::uint32_t i, const Motion& motion, double t);
+  void begin_stride(const Ongoing& contact, double stray);
+  SteppedContact<Physics> step_again(const Ongoing& contact) const;
+  SteppedContact<Physics> as_it_is_now(const Ongoing& contact) const;
+  typename Ongoing::Both motions_now(const Ongoing& contact) const;
+  void book_ongoing();
+  void book(Ongoing& contact, const EnergyLedger& so_far);
+  void drop_ended();
 
   // Grains on the grid.
   void step_fine();
@@ -140,6 +159,8 @@ class EventEngine {
   bool is_ongoing(std::uint32_t grain) const;
   bool near_ongoing(std::size_t k);
   void undo(std::uint32_t grain);
+  void take_up_stepped(const Ongoing& contact);
+  void take_up_closed(const Ongoing& contact);
   static void set_predicted(GridRow<Physics>& row, const Motion& now);
   void set_half(GridRow<Physics>& row, const Motion& now) const;
 
@@ -189,4 +210,5 @@ class EventEngine {
 #include "simulator/motion/events_dense.hpp"
 #include "simulator/motion/events_flying.hpp"
 #include "simulator/motion/events_on_grid.hpp"
+#include "simulator/motion/events_stride.hpp"
 #include "simulator/motion/events_undo.hpp"

@@ -16,7 +16,8 @@ void EventEngine<Physics>::enter_dense() {
     if (open == ongoing_.end()) break;
     undo(open->i);
   }
-  ongoing_.clear();
+  over_until_ = std::max(over_until_, t);
+  drop_ended();
   std::vector<GridRow<Physics>> rows(count_);
   for (std::uint32_t i = 0; i < count_; ++i) {
     if (!flights_.present(i)) continue;
@@ -110,11 +111,9 @@ const typename Physics::GrainState& EventEngine<Physics>::synchronised() {
   }
   for (int c = 0; c < S; ++c) std::copy_n(flights_.spin[c].begin(), n, state_.spin[c].begin());
   for (const auto& contact : ongoing_) {
-    const bool with_base = contact.j == Ongoing::with_base;
-    const auto now =
-        contact.at(0, with_base ? base_contact_ : pair_contact_, physics_, epoch_phase());
+    const auto now = motions_now(contact);
     write(contact.i, now.i);
-    if (!with_base) write(contact.j, now.j);
+    if (contact.j != Ongoing::with_base) write(contact.j, now.j);
   }
   for (const auto& row : fine_.rows) {
     write(row.id, {row.grain.position(), row.grain.velocity_now(dt), row.grain.spin_now(dt)});
@@ -127,19 +126,27 @@ double EventEngine<Physics>::energy() {
   if (dense_) {
     return mechanical_energy(synchronised(), physics_.gravity) + dense_->elastic_energy();
   }
-  // A flight's energy does not change, and a contact taken in one stride is booked in full at its
-  // start, so that its grains count with the flights that follow it.
   double energy = fine_.elastic_energy(physics_, base_at_step(step_));
-  const auto add = [&](const Motion& m) {
-    energy += 0.5 * m.v.squaredNorm() + physics_.gravity * m.x[vertical] +
-              0.5 * grain_inertia * m.spin.squaredNorm();
+  const auto energy_of = [&](const Motion& m) {
+    return 0.5 * m.v.squaredNorm() + physics_.gravity * m.x[vertical] +
+           0.5 * grain_inertia * m.spin.squaredNorm();
   };
   const double dt = physics_.time_step;
+  const double t = time_of(step_);
   for (std::uint32_t i = 0; i < count_; ++i) {
-    if (flights_.present(i)) add(motion_of(i, time_of(step_)));
+    if (flights_.present(i)) energy += energy_of(motion_of(i, t));
+  }
+  // A contact in closed form is booked in full at its start: its grains count with the flights that
+  // follow it. One that is stepped is booked as it goes on.
+  for (const auto& contact : ongoing_) {
+    if (!steps_contacts() || contact.end() <= t) continue;
+    const auto now = as_it_is_now(contact);
+    energy += energy_of(now.motion_i()) - energy_of(motion_of(contact.i, t)) + now.elastic_energy();
+    if (contact.j == Ongoing::with_base) continue;
+    energy += energy_of(now.motion_j()) - energy_of(motion_of(contact.j, t));
   }
   for (const auto& row : fine_.rows) {
-    add({row.grain.position(), row.grain.velocity_now(dt), row.grain.spin_now(dt)});
+    energy += energy_of({row.grain.position(), row.grain.velocity_now(dt), row.grain.spin_now(dt)});
   }
   return energy;
 }

@@ -19,10 +19,7 @@ void EventEngine<Physics>::take_out_of_flight(std::uint32_t i) {
 /// grid on their new flights, which the next step finds apart.
 template <class Physics>
 void EventEngine<Physics>::activate(std::uint32_t i, double t) {
-  if (fine_.count() == 0) {
-    const auto last = static_cast<long>(std::ceil(t / physics_.time_step)) - 1;
-    step_ = epoch_step_ + std::max(0L, last);
-  }
+  if (fine_.count() == 0) step_ = last_step_before(t);
   over_until_ = t;
   const auto motion = motion_of(i, time_of(step_));
   fine_.add(i, motion.x, motion.v, motion.spin, true, physics_);

@@ -6,8 +6,8 @@
 
 namespace shakebed::simulator {
 
-/// Takes back a closed contact that is under way: both partners go on the grid as they are now,
-/// and the ledger keeps only what has happened.
+/// Takes back a contact in one stride that is under way: both partners go on the grid as they are
+/// now, and the ledger keeps only what has happened.
 template <class Physics>
 void EventEngine<Physics>::undo(std::uint32_t grain) {
   const double t = time_of(step_);
@@ -17,15 +17,38 @@ void EventEngine<Physics>::undo(std::uint32_t grain) {
   const Ongoing contact = *found;
   ongoing_.erase(found);
   ++counters_.undone;
-  const bool with_base = contact.j == Ongoing::with_base;
-  const auto& closed = with_base ? base_contact_ : pair_contact_;
-  ledger_.dissipation -= contact.dissipation;
-  ledger_.base_work -= contact.base_work;
-  ledger_.contact_steps -= contact.steps;
-  --ledger_.collisions;
+  ledger_.take_back(contact.booked);
+  if (steps_contacts()) {
+    take_up_stepped(contact);
+    return;
+  }
   --counters_.closed;
   ++counters_.fine;
+  take_up_closed(contact);
+}
 
+/// The contact goes on, on the grid, where it was on the grid.
+template <class Physics>
+void EventEngine<Physics>::take_up_stepped(const Ongoing& contact) {
+  const auto now = as_it_is_now(contact);
+  ledger_.add(now.ledger());
+  const std::size_t first = fine_.count();
+  fine_.rows.push_back({now.row_i(), contact.i});
+  take_out_of_flight(contact.i);
+  if (contact.j == Ongoing::with_base) {
+    if (now.touching()) fine_.rows[first].base_touched = step_;
+    return;
+  }
+  fine_.rows.push_back({now.row_j(), contact.j});
+  take_out_of_flight(contact.j);
+  if (now.touching()) fine_.link(first, first + 1, step_, physics_.cell);
+}
+
+template <class Physics>
+void EventEngine<Physics>::take_up_closed(const Ongoing& contact) {
+  const double t = time_of(step_);
+  const bool with_base = contact.j == Ongoing::with_base;
+  const auto& closed = with_base ? base_contact_ : pair_contact_;
   const auto now = contact.at(t, closed, physics_, epoch_phase());
   const std::size_t first = fine_.add(contact.i, now.i.x, now.i.v, now.i.spin, true, physics_);
   take_out_of_flight(contact.i);

@@ -18,7 +18,7 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 struct NextTouch {
   double time = never;  ///< when the pair touches
   std::uint32_t partner = 0;
-  double recheck = never;  ///< until then nearest images hold; look again at this time
+  double recheck = never;  ///< look again then, if sooner: nearest images hold until this time
 };
 
 /// The first touch of grain i with any other grain in flight, looking from time `from`.
@@ -27,27 +27,31 @@ struct NextTouch {
 ///   tau = (r.r - 1) / (-r.u + sqrt((r.u)^2 - u.u (r.r - 1))),  if r.u < 0 and the root is real.
 /// Only the image nearest at `from` is followed. Another image can touch only after the pair has
 /// travelled L - 1 - |dx| across the cell and is level to within a diameter: before the earliest
-/// such time over all partners the answer is exact, and that time is returned as `recheck`.
+/// such time over all partners the answer is exact, and that time is returned as `recheck` if it
+/// comes before the touch.
 template <int D, std::size_t S>
 NextTouch next_pair_touch(const Flights<D, S>& flights, const PeriodicCell<D>& cell, std::size_t i,
                           double from) {
   namespace stdx = std::experimental;
   const double start = std::max(from, flights.valid_from[i]);
-  Lanes best_time = never;
-  Lanes best_partner = 0;
-  Lanes best_recheck = never;
-  Lanes index = lane_numbers();
-  for (std::size_t j = 0; j < flights.padded();
-       j += lane_count, index += static_cast<double>(lane_count)) {
+  NextTouch next;
+  double soonest =
+      1e30;  // of both answers, finite for products; what comes later matters to nobody
+  for (std::size_t j = 0; j < flights.padded(); j += lane_count) {
     const Lanes t = stdx::max(Lanes(start), load_lanes(&flights.valid_from[j]));
-    Lanes rr = 0, ru = 0, uu = 0, image_change = never, dz = 0, uz = 0;
+    const Lanes ahead = soonest - t;
+    Lanes rr = 0, ru = 0, uu = 0, dz = 0, uz = 0;
+    std::array<Lanes, Dimension<D>::lateral> room, speed;
+    LaneMask image_changes(false);
     for (int c = 0; c < D; ++c) {
       const Lanes u = load_lanes(&flights.velocity[c][j]) - flights.velocity[c][i];
       Lanes r = load_lanes(&flights.position[c][j]) - flights.position[c][i] + u * t;
       if (c < Dimension<D>::lateral) {
         const double width = cell.width[c];
         r -= width * stdx::nearbyint(r * (1 / width));
-        image_change = stdx::min(image_change, (width - 1 - stdx::fabs(r)) / stdx::fabs(u));
+        room[c] = width - 1 - stdx::fabs(r);
+        speed[c] = stdx::fabs(u);
+        image_changes = image_changes || room[c] < ahead * speed[c];
       } else {
         dz = r;
         uz = u;
@@ -56,27 +60,34 @@ NextTouch next_pair_touch(const Flights<D, S>& flights, const PeriodicCell<D>& c
       ru += r * u;
       uu += u * u;
     }
+    // Divisions and roots are the dear part, and a product tells whether they could matter.
     const Lanes gap = rr - 1;
     const Lanes discriminant = ru * ru - uu * gap;
-    const LaneMask meets = ru < 0 && discriminant > 0;
+    const LaneMask meets = ru < 0 && discriminant > 0 && gap <= -2 * ru * ahead;
     if (stdx::any_of(meets)) {
-      Lanes tau = stdx::max(gap / (stdx::sqrt(stdx::max(discriminant, Lanes(0))) - ru), Lanes(0));
-      tau += t;
-      const LaneMask sooner = meets && tau < best_time;
-      stdx::where(sooner, best_time) = tau;
-      stdx::where(sooner, best_partner) = index;
+      Lanes time =
+          t + stdx::max(gap / (stdx::sqrt(stdx::max(discriminant, Lanes(0))) - ru), Lanes(0));
+      stdx::where(!meets, time) = never;
+      const double first = stdx::hmin(time);
+      if (first < next.time) {
+        next.time = first;
+        next.partner = static_cast<std::uint32_t>(j) +
+                       static_cast<std::uint32_t>(stdx::find_first_set(time == first));
+        soonest = std::min(soonest, first);
+      }
     }
-    Lanes level = (stdx::fabs(dz) - 1) / stdx::fabs(uz);
-    stdx::where(dz * uz >= 0 && stdx::fabs(dz) >= 1, level) = never;
-    best_recheck = stdx::min(best_recheck, t + stdx::max(image_change, level));
-  }
-  NextTouch next;
-  next.recheck = stdx::hmin(best_recheck);
-  next.time = stdx::hmin(best_time);
-  if (next.time < never) {
-    Lanes candidates = std::numeric_limits<double>::max();
-    stdx::where(best_time == next.time, candidates) = best_partner;
-    next.partner = static_cast<std::uint32_t>(stdx::hmin(candidates));
+    const Lanes height = stdx::fabs(dz) - 1;
+    const LaneMask never_level = dz * uz >= 0 && height >= 0;
+    if (stdx::any_of(image_changes && height < ahead * stdx::fabs(uz) && !never_level)) {
+      Lanes level = height / stdx::fabs(uz);
+      stdx::where(never_level, level) = never;
+      Lanes image_change = never;
+      for (std::size_t c = 0; c < room.size(); ++c) {
+        image_change = stdx::min(image_change, room[c] / speed[c]);
+      }
+      next.recheck = std::min(next.recheck, stdx::hmin(t + stdx::max(image_change, level)));
+      soonest = std::min(soonest, next.recheck);
+    }
   }
   return next;
 }

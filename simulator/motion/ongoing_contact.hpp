@@ -5,17 +5,9 @@
 #include <limits>
 
 #include "simulator/motion/closed_contact.hpp"
-#include "simulator/motion/leapfrog.hpp"
+#include "simulator/motion/stepped_contact.hpp"
 
 namespace shakebed::simulator {
-
-/// A grain's centre, velocity and spin at one instant.
-template <class Physics>
-struct GrainMotion {
-  Vector<Physics::dimension> x;
-  Vector<Physics::dimension> v;
-  Eigen::Matrix<double, Physics::GrainState::spin_columns, 1> spin;
-};
 
 /// A contact taken in one stride: begun, its end already known, not yet over. Kept so that grains
 /// can be sampled in the middle of it (about 1 % are: their velocity passes through zero there),
@@ -31,10 +23,13 @@ struct OngoingContact {
   double start;     ///< since the epoch
   Motion before_i;
   Motion before_j;  ///< of the base contact: unused
-  ClosedOutcome<D> outcome;
-  double dissipation;
-  double base_work;
-  long steps;
+  Motion after_i = {};
+  Motion after_j = {};
+  ClosedOutcome<D> outcome = {};
+  EnergyLedger whole = {};          ///< what the contact does to the ledger, start to end
+  EnergyLedger booked = {};         ///< what of it the run's ledger holds
+  long last_step_before_touch = 0;  ///< these two: of contacts that are stepped
+  long first_step_after = 0;
 
   double end() const { return start + outcome.duration; }
   bool involves(std::uint32_t grain) const { return i == grain || j == grain; }
@@ -44,7 +39,16 @@ struct OngoingContact {
     Motion j;
   };
 
-  /// Both grains at time t. Before the contact: in flight; after it: as it left them.
+  /// Begins the contact on the grid, or again, to see its middle; the touch is `since_step` after
+  /// the last step before it.
+  SteppedContact<Physics> stepped(const Physics& physics, double since_step) const {
+    const Motion a = before_i.flown(-since_step, physics.gravity);
+    if (j == with_base) return {physics, a, last_step_before_touch};
+    return {physics, a, before_j.flown(-since_step, physics.gravity), last_step_before_touch};
+  }
+
+  /// Both grains at time t, in closed form. Before the contact: in flight; after it: as it left
+  /// them.
   Both at(double t, const ClosedContact<D, Physics::turns_grains>& contact, const Physics& physics,
           double epoch_phase) const {
     const double s = t - start;

@@ -19,6 +19,22 @@ struct EnergyLedger {
     ++contact_steps;
     collisions += begins;
   }
+
+  void add(const EnergyLedger& part) {
+    base_work += part.base_work;
+    dissipation += part.dissipation;
+    largest_overlap = std::max(largest_overlap, part.largest_overlap);
+    collisions += part.collisions;
+    contact_steps += part.contact_steps;
+  }
+
+  /// Takes back what was added; the largest overlap stays.
+  void take_back(const EnergyLedger& part) {
+    base_work -= part.base_work;
+    dissipation -= part.dissipation;
+    collisions -= part.collisions;
+    contact_steps -= part.contact_steps;
+  }
 };
 
 }  // namespace shakebed::simulator
