@@ -137,7 +137,8 @@ class EventEngine {
   bool steps_contacts() const { return contacts_ == ContactOperator::fine; }
   bool take_pair_in_one_stride(std::uint32_t i, std::uint32_t j, double t);
   bool take_base_in_one_stride(std::uint32_t i, double t);
-  bool close(Ongoing& contact, const RelativeMotion<D>& touch);
+  bool find_end(Ongoing& contact, const RelativeMotion<D>& touch);
+  void close(Ongoing& contact, const RelativeMotion<D>& touch);
   bool step_through(Ongoing& contact, const RelativeMotion<D>& touch);
   bool isolated(const IsolatedGrain<D>* members, std::size_t count, double t, double duration);
   void begin_stride(const Ongoing& contact, double stray);

@@ -139,7 +139,7 @@ double EventEngine<Physics>::energy() {
   // A contact in closed form is booked in full at its start: its grains count with the flights that
   // follow it. One that is stepped is booked as it goes on.
   for (const auto& contact : ongoing_) {
-    if (!steps_contacts() || contact.end() <= t) continue;
+    if (!contact.is_stepped || contact.end() <= t) continue;
     const auto now = as_it_is_now(contact);
     energy += energy_of(now.motion_i()) - energy_of(motion_of(contact.i, t)) + now.elastic_energy();
     if (contact.j == Ongoing::with_base) continue;

@@ -29,7 +29,7 @@ void EventEngine<Physics>::activate(std::uint32_t i, double t) {
 template <class Physics>
 void EventEngine<Physics>::step_fine() {
   ++step_;
-  fine_.advance(physics_, base_at_step(step_), step_, ledger_);
+  fine_.advance(physics_, step_, ledger_);
   if (fine_.needs_attention) {
     release_idle();
     look_around();

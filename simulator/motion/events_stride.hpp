@@ -17,14 +17,15 @@ bool EventEngine<Physics>::take_pair_in_one_stride(std::uint32_t i, std::uint32_
   }
   if constexpr (S > 0) touch.spin_radius = grain_radius * (a.spin + b.spin);
 
-  // A grazing contact turns too far for the closed form, which is first order in the turn.
+  // A grazing contact turns too far for the closed form, which is first order in the turn, and may
+  // not last long enough to meet a step of the grid.
   const Vector<D> n = touch.r.normalized();
   const double closing_speed = touch.v.dot(n);
   const double tangential2 = touch.v.squaredNorm() - closing_speed * closing_speed;
   constexpr double grazing = 5;
-  if (closing_speed <= grazing * tangential2 * pair_contact_.normal().duration()) return false;
-
-  if (!(steps_contacts() ? step_through(contact, touch) : close(contact, touch))) return false;
+  contact.is_stepped = steps_contacts() ||
+                       closing_speed <= grazing * tangential2 * pair_contact_.normal().duration();
+  if (!find_end(contact, touch)) return false;
   const auto& out = contact.outcome;
   const Vector<D> change = 0.5 * (out.end.v - out.start.v);
   const Vector<D> normal_change = change.dot(n) * n;
@@ -52,9 +53,9 @@ bool EventEngine<Physics>::take_base_in_one_stride(std::uint32_t i, double t) {
   // Within the contact the closed form takes gravity and the base's acceleration as small.
   const double bend = physics_.gravity + physics_.base.peak_velocity * 2 * M_PI / period();
   constexpr double slow = 20;
-  if (-touch.v[vertical] <= slow * bend * base_contact_.normal().duration()) return false;
-
-  if (!(steps_contacts() ? step_through(contact, touch) : close(contact, touch))) return false;
+  contact.is_stepped =
+      steps_contacts() || -touch.v[vertical] <= slow * bend * base_contact_.normal().duration();
+  if (!find_end(contact, touch)) return false;
   const double duration = contact.outcome.duration;
   const double slack = 0.5 * bend * duration * duration;
   IsolatedGrain<D> member{i, a.x, a.v, Vector<D>::Zero(), contact.after_i.v - a.v, slack};
@@ -65,9 +66,16 @@ bool EventEngine<Physics>::take_base_in_one_stride(std::uint32_t i, double t) {
   return true;
 }
 
+template <class Physics>
+bool EventEngine<Physics>::find_end(Ongoing& contact, const RelativeMotion<D>& touch) {
+  if (contact.is_stepped) return step_through(contact, touch);
+  close(contact, touch);
+  return true;
+}
+
 /// The contact's end by its exact solution.
 template <class Physics>
-bool EventEngine<Physics>::close(Ongoing& contact, const RelativeMotion<D>& touch) {
+void EventEngine<Physics>::close(Ongoing& contact, const RelativeMotion<D>& touch) {
   const bool with_base = contact.j == Ongoing::with_base;
   const auto& closed = with_base ? base_contact_ : pair_contact_;
   contact.outcome = closed.collide(touch);
@@ -95,7 +103,6 @@ bool EventEngine<Physics>::close(Ongoing& contact, const RelativeMotion<D>& touc
   whole.collisions = 1;
   whole.largest_overlap = out.closing_speed * closed.normal().largest_overlap();
   contact.booked = whole;
-  return true;
 }
 
 /// The contact's end by stepping it alone; false if there is no contact to speak of.
@@ -124,7 +131,7 @@ bool EventEngine<Physics>::step_through(Ongoing& contact, const RelativeMotion<D
 template <class Physics>
 void EventEngine<Physics>::begin_stride(const Ongoing& contact, double stray) {
   ledger_.add(contact.booked);
-  ++(steps_contacts() ? counters_.fine : counters_.closed);
+  ++(contact.is_stepped ? counters_.fine : counters_.closed);
   largest_stray_ = std::max(largest_stray_, stray);
   const bool with_base = contact.j == Ongoing::with_base;
   launch(contact.i, contact.after_i, contact.end());
@@ -141,8 +148,9 @@ void EventEngine<Physics>::begin_stride(const Ongoing& contact, double stray) {
 /// Books what stepped contacts have done to the ledger up to the present step.
 template <class Physics>
 void EventEngine<Physics>::book_ongoing() {
-  if (!steps_contacts()) return;
-  for (auto& contact : ongoing_) book(contact, as_it_is_now(contact).ledger());
+  for (auto& contact : ongoing_) {
+    if (contact.is_stepped) book(contact, as_it_is_now(contact).ledger());
+  }
 }
 
 /// The contact on the grid, at its last step before touch.
@@ -168,7 +176,7 @@ void EventEngine<Physics>::book(Ongoing& contact, const EnergyLedger& so_far) {
 template <class Physics>
 typename EventEngine<Physics>::Ongoing::Both EventEngine<Physics>::motions_now(
     const Ongoing& contact) const {
-  if (steps_contacts()) {
+  if (contact.is_stepped) {
     const auto now = as_it_is_now(contact);
     return {now.motion_i(), now.motion_j()};
   }
@@ -182,7 +190,7 @@ template <class Physics>
 void EventEngine<Physics>::drop_ended() {
   std::erase_if(ongoing_, [&](Ongoing& contact) {
     if (contact.end() > over_until_) return false;
-    if (steps_contacts()) book(contact, contact.whole);
+    if (contact.is_stepped) book(contact, contact.whole);
     return true;
   });
 }

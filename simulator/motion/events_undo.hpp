@@ -18,7 +18,7 @@ void EventEngine<Physics>::undo(std::uint32_t grain) {
   ongoing_.erase(found);
   ++counters_.undone;
   ledger_.take_back(contact.booked);
-  if (steps_contacts()) {
+  if (contact.is_stepped) {
     take_up_stepped(contact);
     return;
   }

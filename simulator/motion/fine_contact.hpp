@@ -52,12 +52,16 @@ class FineContacts {
     return rows.size() - 1;
   }
 
-  /// One step of the grid, arriving at `step` (of the run), at which the base is as given.
-  void advance(const Physics& physics, const BaseState& base, long step, EnergyLedger& ledger) {
+  /// One step of the grid, arriving at `step` (of the run).
+  void advance(const Physics& physics, long step, EnergyLedger& ledger) {
     needs_attention = false;
+    BaseState base{};
+    bool base_known = false;
     for (Row& row : rows) {
       row.grain.kick_drift_predict(physics.time_step, physics.gravity);
       if (!row.near_base) continue;
+      if (!base_known) base = physics.base_at_step(step % physics.steps_per_cycle);
+      base_known = true;
       const double overlap = row.grain.base_overlap(base);
       if (overlap > 0) {
         touch_base(physics, row.grain, base, overlap, row.base_touched != step - 1, ledger);

@@ -111,11 +111,13 @@ void find_flights_near(const Flights<D, S>& flights, const PeriodicCell<D>& cell
       if (c < Dimension<D>::lateral) r -= cell.width[c] * stdx::nearbyint(r * per_width[c]);
       rr += r * r;
     }
-    LaneMask near = rr < reach * reach;
-    while (stdx::any_of(near)) {
-      const int lane = stdx::find_first_set(near);
-      found.push_back(static_cast<std::uint32_t>(j) + static_cast<std::uint32_t>(lane));
-      near[static_cast<std::size_t>(lane)] = false;
+    const LaneMask near = rr < reach * reach;
+    if (!stdx::any_of(near)) continue;
+    const int last = stdx::find_last_set(near);
+    for (int lane = stdx::find_first_set(near); lane <= last; ++lane) {
+      if (near[static_cast<std::size_t>(lane)]) {
+        found.push_back(static_cast<std::uint32_t>(j) + static_cast<std::uint32_t>(lane));
+      }
     }
   }
 }

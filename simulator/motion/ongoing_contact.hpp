@@ -28,6 +28,7 @@ struct OngoingContact {
   ClosedOutcome<D> outcome = {};
   EnergyLedger whole = {};          ///< what the contact does to the ledger, start to end
   EnergyLedger booked = {};         ///< what of it the run's ledger holds
+  bool is_stepped = false;          ///< on the grid, and not in closed form
   long last_step_before_touch = 0;  ///< these two: of contacts that are stepped
   long first_step_after = 0;
 
