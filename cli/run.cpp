@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/overrides.hpp"
 #include "cli/run_json.hpp"
 #include "files/atomic_file.hpp"
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/simulate.hpp"
+#include "sweeps/stop_signals.hpp"
 #include "sweeps/store/bed_store.hpp"
 #include "sweeps/store/cache.hpp"
 #include "sweeps/store/run_file.hpp"
@@ -45,12 +45,12 @@ void print_summary(const simulator::Record& record) {
 
 int run_command(const RunOptions& options) {
   const auto scene = simulator::read_scene(options.scene, parse_overrides(options.set));
-  stop_on_signals();
+  const sweeps::StopSignals stop_signals;
 
   simulator::RunControl control;
   const auto beds = sweeps::store::bed_store(sweeps::store::Cache::place(std::nullopt));
   control.store = &beds;
-  control.stop_requested = stop_asked;
+  control.stop_requested = sweeps::StopSignals::raised;
   if (isatty(STDERR_FILENO) != 0) {
     control.on_progress = [shown = -1](double fraction) mutable {
       const int percent = static_cast<int>(100 * fraction);

@@ -175,52 +175,40 @@ Handle Group::open_array(const std::string& name, std::size_t& length, std::size
   return dataset;
 }
 
-std::vector<double> Group::numbers(const std::string& name) const {
+/// A data set whose rows are `Element`s, which HDF5 knows as `type` (of class `kind`).
+template <class Element>
+std::vector<Element> Group::read_rows(const std::string& name, hid_t type, H5T_class_t kind,
+                                      const char* what, std::size_t columns) const {
   std::size_t length = 0;
-  const Handle dataset = open_array(name, length);
-  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
-  require_class(type.id(), H5T_FLOAT, place(name), "a list of numbers");
-  std::vector<double> values(length);
-  check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-        place(name), "cannot read the data set");
+  const Handle dataset = open_array(name, length, columns);
+  const Handle stored(H5Dget_type(dataset.id()), H5Tclose);
+  require_class(stored.id(), kind, place(name), what);
+  std::vector<Element> values(length);
+  check(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), place(name),
+        "cannot read the data set");
   return values;
+}
+
+std::vector<double> Group::numbers(const std::string& name) const {
+  return read_rows<double>(name, H5T_NATIVE_DOUBLE, H5T_FLOAT, "a list of numbers");
 }
 
 std::vector<std::int64_t> Group::integers(const std::string& name) const {
-  std::size_t length = 0;
-  const Handle dataset = open_array(name, length);
-  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
-  require_class(type.id(), H5T_INTEGER, place(name), "a list of integers");
-  std::vector<std::int64_t> values(length);
-  check(H5Dread(dataset.id(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-        place(name), "cannot read the data set");
-  return values;
+  return read_rows<std::int64_t>(name, H5T_NATIVE_INT64, H5T_INTEGER, "a list of integers");
 }
 
 std::vector<std::array<double, 3>> Group::triples(const std::string& name) const {
-  std::size_t length = 0;
-  const Handle dataset = open_array(name, length, 3);
-  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
-  require_class(type.id(), H5T_FLOAT, place(name), "a table of numbers");
-  std::vector<std::array<double, 3>> values(length);
-  check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-        place(name), "cannot read the data set");
-  return values;
+  return read_rows<std::array<double, 3>>(name, H5T_NATIVE_DOUBLE, H5T_FLOAT, "a table of numbers",
+                                          3);
+}
+
+std::vector<simulator::Estimate> Group::estimates(const std::string& name) const {
+  return read_rows<simulator::Estimate>(name, estimate_type().id(), H5T_COMPOUND,
+                                        "a list of means and errors");
 }
 
 bool Group::has(const std::string& name) const {
   return H5Lexists(handle_.id(), name.c_str(), H5P_DEFAULT) > 0;
-}
-
-std::vector<simulator::Estimate> Group::estimates(const std::string& name) const {
-  std::size_t length = 0;
-  const Handle dataset = open_array(name, length);
-  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
-  require_class(type.id(), H5T_COMPOUND, place(name), "a list of means and errors");
-  std::vector<simulator::Estimate> values(length);
-  check(H5Dread(dataset.id(), estimate_type().id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-        place(name), "cannot read the data set");
-  return values;
 }
 
 std::vector<std::string> Group::texts(const std::string& name) const {

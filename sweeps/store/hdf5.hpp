@@ -95,6 +95,9 @@ class Group {
   void write_array(const std::string& name, hid_t type, std::size_t length, const void* values,
                    const Labels& labels, std::size_t columns = 1) const;
   Handle open_array(const std::string& name, std::size_t& length, std::size_t columns = 1) const;
+  template <class Element>
+  std::vector<Element> read_rows(const std::string& name, hid_t type, H5T_class_t kind,
+                                 const char* what, std::size_t columns = 1) const;
 
   Handle handle_;
   std::string where_;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "tests/figures/one_figure.hpp"
 #include "tests/figures/scratch.hpp"
 
 using namespace shakebed;
@@ -11,14 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string manifest_text = R"yaml(manifest: 1
-papers:
-  p: {title: A paper, doi: 10.1000/1}
-entries:
-  p-fig1:
-    paper: p
-    item: Fig. 1
-    what: something
+const std::string manifest_text = manifest_of_one_figure + R"yaml(
     claims:
       - {id: rises, says: y rises, source: Sec. 1, table: t, compute: "slope(x, y)", unit: "1", holds: {above: 0}, why: a rise}
 )yaml";

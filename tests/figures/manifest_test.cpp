@@ -4,6 +4,7 @@
 #include <set>
 
 #include "files/csv.hpp"
+#include "tests/figures/one_figure.hpp"
 #include "tests/figures/scratch.hpp"
 
 using namespace shakebed;
@@ -54,14 +55,7 @@ TEST_CASE("the manifest has an entry for every declared figure and for no other"
 }
 
 TEST_CASE("faults of a manifest carry their place") {
-  const std::string good = R"(manifest: 1
-papers:
-  p: {title: A paper, doi: 10.1000/1}
-entries:
-  p-fig1:
-    paper: p
-    item: Fig. 1
-    what: something
+  const std::string good = manifest_of_one_figure + R"(
     reference:
       - {name: peak, value: 2, unit: "1", provenance: given, source: Sec. 1, ours: {table: t, row: {x: a}, column: c}, tolerance: {relative: 0.1, why: read off}}
 files:
