@@ -14,8 +14,8 @@ namespace shakebed::simulator {
 /// All grains on the time grid, for when many of them touch. Like the uniform engine, with lists
 /// within lists: of the pairs within a skin, those that can touch in the next steps given a cap on
 /// every grain's speed, and of these the ones that can in the very next few. Touching pairs have a
-/// list of their own and are evaluated in batches. A grain that breaks its cap has the lists made
-/// again at once.
+/// list of their own and are evaluated in batches. Grains that nothing can touch in the next few
+/// steps fly over them at once. A grain that breaks its cap has the lists made again at once.
 template <class Physics>
 class DenseStepper {
  public:
@@ -48,14 +48,16 @@ class DenseStepper {
 
   void step(EnergyLedger& ledger) {
     if (step_ >= inner_valid_until_ || cap_broken_) {
+      catch_up();
       refresh_lists();
     } else if (step_ >= imminent_valid_until_) {
+      catch_up();
       choose_imminent();
     }
     ++step_;
     const double dt = physics_.time_step;
     bool broken = false;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (const auto i : stepped_) {
       rows_[i].kick_drift_predict(dt, physics_.gravity);
       broken |= rows_[i].half_speed_squared() > cap_squared_[i];
     }
@@ -64,7 +66,10 @@ class DenseStepper {
   }
 
   long touching() const { return touching_; }
-  const std::vector<Row>& rows() const { return rows_; }
+  const std::vector<Row>& rows() {
+    catch_up();
+    return rows_;
+  }
 
   bool on_base(std::size_t i) const { return base_touched_[i] == step_; }
   std::vector<PairOfGrains> touching_pairs() const {
@@ -75,7 +80,8 @@ class DenseStepper {
     return pairs;
   }
 
-  double elastic_energy() const {
+  double elastic_energy() {
+    catch_up();
     const BaseState base = physics_.base_at_step(step_ % physics_.steps_per_cycle);
     double energy = 0;
     for (const Row& row : rows_) {
@@ -99,6 +105,14 @@ class DenseStepper {
     NeighbourPair<D> pair;
     std::uint32_t k;  ///< in outer_
   };
+
+  /// Takes the grains that fly to the present step.
+  void catch_up() {
+    const long steps = step_ - flown_to_;
+    flown_to_ = step_;
+    if (steps == 0) return;
+    for (const auto i : flying_) rows_[i].fly(steps, physics_.time_step, physics_.gravity);
+  }
 
   void accumulate_contacts(EnergyLedger& ledger) {
     const BaseState base = physics_.base_at_step(step_ % physics_.steps_per_cycle);
@@ -202,11 +216,12 @@ class DenseStepper {
     caps_.resize(rows_.size());
     cap_squared_.resize(rows_.size());
     near_base_.clear();
+    const BaseState base = physics_.base_at_step(step_ % physics_.steps_per_cycle);
     for (std::uint32_t i = 0; i < rows_.size(); ++i) {
       caps_[i] = speed_cap(i);
       cap_squared_[i] = caps_[i] * caps_[i];
-      const double gap = rows_[i].x[vertical] - grain_radius - physics_.base.amplitude;
-      if (gap < caps_[i] * window) near_base_.push_back(i);
+      const double reach = 1.05 * (caps_[i] + physics_.base.peak_velocity) * window;
+      if (-rows_[i].base_overlap(base) < reach) near_base_.push_back(i);
     }
     touching_pairs_.clear();
     candidates_.clear();
@@ -231,6 +246,22 @@ class DenseStepper {
       if (!in_contact_[inner.k] && within_reach(inner.pair, window)) imminent_.push_back(inner);
     }
     imminent_valid_until_ = step_ + imminent_window;
+    tell_who_flies();
+  }
+
+  /// Who is in none of the lists feels nothing but gravity until they are made again.
+  void tell_who_flies() {
+    on_grid_.assign(rows_.size(), false);
+    for (const auto i : near_base_) on_grid_[i] = true;
+    for (const auto* pairs : {&touching_pairs_, &imminent_}) {
+      for (const auto& inner : *pairs) on_grid_[inner.pair.i] = on_grid_[inner.pair.j] = true;
+    }
+    stepped_.clear();
+    flying_.clear();
+    for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+      (on_grid_[i] ? stepped_ : flying_).push_back(i);
+    }
+    flown_to_ = step_;
   }
 
   void mark_touching(std::vector<PairOfGrains> touching) {
@@ -259,6 +290,10 @@ class DenseStepper {
   std::vector<std::size_t> ended_;
   ContactBatch<Physics> batch_;
   std::vector<std::uint32_t> near_base_;
+  std::vector<char> on_grid_;
+  std::vector<std::uint32_t> stepped_;
+  std::vector<std::uint32_t> flying_;
+  long flown_to_ = 0;  ///< the step at which the flying ones are
   std::vector<long> base_touched_;
   std::vector<double> caps_;
   std::vector<double> cap_squared_;

@@ -72,6 +72,14 @@ struct GridRow {
     for (int c = 0; c < D; ++c) x[c] += dt * half[c];
   }
 
+  /// As many steps without any contact.
+  void fly(long steps, double dt, double gravity) {
+    const auto n = static_cast<double>(steps);
+    for (int c = 0; c < D; ++c) x[c] += n * dt * half[c];
+    x[vertical] -= 0.5 * n * (n + 1) * dt * dt * gravity;
+    half[vertical] -= n * dt * gravity;
+  }
+
   double base_overlap(const BaseState& base) const {
     return base.height + grain_radius - x[vertical];
   }
