@@ -14,10 +14,12 @@ ifeq ($(PROFILE),quick)
   suffix :=
 else ifeq ($(PROFILE),paper)
   suffix := -paper
+else ifeq ($(PROFILE),standard)
+  suffix := -standard
 else
-  $(error PROFILE is quick or paper, not "$(PROFILE)")
+  $(error PROFILE is quick, standard (of sun2006) or paper, not "$(PROFILE)")
 endif
-with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016 bhateja2016-% sun2006-%,$1),$(suffix))
+with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016 bhateja2016-% sun2006 sun2006-%,$1),$(suffix))
 
 sources = $(shell git ls-files -- '*.cpp' '*.hpp')
 
@@ -84,7 +86,7 @@ help:  ## this list
 	@awk -F ':.*## ' '/^[a-z][^=]*:.*## / { printf "  make %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 	@echo "  make test-PRESET     the default tests in another build: debug, asan-ubsan, tsan, portable"
 	@echo "  make TARGET          any CMake target, for instance bhateja2016-fig08"
-	@echo "  PROFILE=quick|paper  how much to simulate (now $(PROFILE))"
+	@echo "  PROFILE=quick|standard|paper  how much to simulate (standard: sun2006; now $(PROFILE))"
 
 .DEFAULT:
 	@$(MAKE) --no-print-directory configure

@@ -72,6 +72,10 @@ void add_check(CLI::App& app, Action& action) {
   auto options = options_of(check, action, &check_command);
   auto* scene = check->add_option("SCENE", options->scene, "Scene (YAML)")->type_name("FILE");
   add_set(check, options->set);
+  check
+      ->add_option("--csv", options->csv,
+                   "Write the contacts of a bed in a container here too, one row a kind")
+      ->type_name("FILE");
   auto* keys = check->add_flag("--keys", options->keys, "Print every key a scene may have instead");
   auto* schema = check->add_flag("--schema", options->schema,
                                  "Print the JSON schema of scenes instead, for editors");
@@ -97,6 +101,25 @@ void add_sweep_arguments(CLI::App* command, SweepOptions& options) {
       ->type_name("DIR");
 }
 
+void add_csv(CLI::App* command, SweepOptions& options) {
+  command->add_option("--csv", options.csv, "Write the table here, not to standard output")
+      ->type_name("FILE");
+}
+
+void add_sweep_networks(CLI::App& sweep, Action& action) {
+  auto* networks = sweep.add_subcommand(
+      "networks", "Force networks and spanning trees of the snapshots: mean and spread");
+  auto options = options_of(networks, action, &sweep_networks_command);
+  add_sweep_arguments(networks, *options);
+  networks
+      ->add_option("--reference", options->reference,
+                   "Numbers to set beside ours (CSV): quantity, paper, source, columns of axes")
+      ->type_name("FILE");
+  networks->add_option("--csv-folder", options->csv_folder, "Write the tables into this folder")
+      ->required()
+      ->type_name("DIR");
+}
+
 void add_sweep(CLI::App& app, Action& action) {
   auto* sweep = app.add_subcommand("sweep", "Run, watch or collect a grid of beds");
   sweep->require_subcommand(1);
@@ -117,8 +140,7 @@ void add_sweep(CLI::App& app, Action& action) {
       "collect", "One row a point: means and standard errors over its replicates");
   auto collect_options = options_of(collect, action, &sweep_collect_command);
   add_sweep_arguments(collect, *collect_options);
-  collect->add_option("--csv", collect_options->csv, "Write the table here, not to standard output")
-      ->type_name("FILE");
+  add_csv(collect, *collect_options);
   collect
       ->add_option("--profiles", collect_options->profiles,
                    "Write the height profiles here, one row a box of each point")
@@ -128,9 +150,20 @@ void add_sweep(CLI::App& app, Action& action) {
       "snapshots", "One row a grain of every snapshot that the points' scenes ask for");
   auto snapshot_options = options_of(snapshots, action, &sweep_snapshots_command);
   add_sweep_arguments(snapshots, *snapshot_options);
-  snapshots
-      ->add_option("--csv", snapshot_options->csv, "Write the table here, not to standard output")
-      ->type_name("FILE");
+  add_csv(snapshots, *snapshot_options);
+
+  auto* series = sweep->add_subcommand(
+      "series", "One row an instant of every run: how beds in containers go within their cycles");
+  auto series_options = options_of(series, action, &sweep_series_command);
+  add_sweep_arguments(series, *series_options);
+  add_csv(series, *series_options);
+  series->add_option("--phases", series_options->phases, "Equal phases of each cycle, of 160")
+      ->check(CLI::Range(1, 160))
+      ->capture_default_str()
+      ->type_name("N");
+  series->add_option("--from", series_options->from, "First cycle")->type_name("T");
+  series->add_option("--to", series_options->to, "Last cycle")->type_name("T");
+  add_sweep_networks(*sweep, action);
 }
 
 void add_fit(CLI::App& app, Action& action) {

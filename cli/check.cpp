@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/overrides.hpp"
 #include "cli/scene_schema.hpp"
+#include "files/error.hpp"
 #include "simulator/contact/parameters.hpp"
 #include "simulator/scene/keys.hpp"
 #include "simulator/scene/read_scene.hpp"
@@ -175,6 +176,12 @@ int check_command(const CheckOptions& options) {
   } else {
     const auto scene = simulator::read_scene(options.scene, parse_overrides(options.set));
     (scene.column ? print_column_scene : print_scene)(options.scene.string(), scene);
+    if (options.csv && !scene.column) {
+      throw files::bad_input(options.scene.string(),
+                             "--csv writes the contacts of a bed in a container, and this scene "
+                             "has none");
+    }
+    if (options.csv) column_contacts(scene).write(*options.csv);
   }
   return 0;
 }

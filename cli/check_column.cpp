@@ -92,6 +92,32 @@ void print_warnings(const simulator::ColumnParameters& parameters) {
 
 }  // namespace
 
+files::CsvTable column_contacts(const Scene& scene) {
+  const auto parameters = simulator::bind_column(scene);
+  files::CsvTable table({{"contact", ""},
+                         {"m_eff", "m"},
+                         {"restitution", "1"},
+                         {"friction", "1"},
+                         {"k_n", "m g/d"},
+                         {"k_t", "m g/d"},
+                         {"gamma_n", "sqrt(g/d)"},
+                         {"gamma_t", "sqrt(g/d)"},
+                         {"t_c", "sqrt(d/g)"},
+                         {"steps_in_t_c", "1"}});
+  for (const auto& kind : parameters.kinds) {
+    const auto& spring = kind.spring;
+    std::vector<std::string> cells{kind.name};
+    for (const double value :
+         {kind.effective_mass, kind.restitution, spring.friction, spring.normal_stiffness,
+          spring.tangential_stiffness, spring.normal_rate, spring.tangential_rate,
+          kind.contact_duration, kind.contact_duration / parameters.time_step}) {
+      cells.push_back(std::isfinite(value) ? files::number_text(value) : "");
+    }
+    table.add_row(std::move(cells));
+  }
+  return table;
+}
+
 void print_column_scene(const std::string& name, const Scene& scene) {
   const auto parameters = simulator::bind_column(scene);
   line("scene", name + ", seed " + std::to_string(scene.seed));

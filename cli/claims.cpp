@@ -10,7 +10,7 @@ int claims_command(const ClaimsOptions& options) {
   const auto manifest = figures::read_manifest(options.manifest);
   const figures::PipelineTables tables(options.tables);
   std::vector<std::string> origins{"shipped"};
-  for (const char* computed : {"quick", "paper"}) {
+  for (const char* computed : {"quick", "standard", "paper"}) {
     if (tables.any(computed)) origins.emplace_back(computed);
   }
   const auto judged = figures::judge_claims(manifest, tables, origins);

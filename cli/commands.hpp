@@ -21,8 +21,9 @@ int run_command(const RunOptions& options);
 struct CheckOptions {
   std::filesystem::path scene;
   std::vector<std::string> set;
-  bool keys = false;    ///< print the table of scene keys instead
-  bool schema = false;  ///< print the JSON schema instead
+  bool keys = false;                         ///< print the table of scene keys instead
+  bool schema = false;                       ///< print the JSON schema instead
+  std::optional<std::filesystem::path> csv;  ///< a container's contacts by kind go here too
 };
 int check_command(const CheckOptions& options);
 
@@ -32,12 +33,19 @@ struct SweepOptions {
   std::optional<std::filesystem::path> cache;  ///< else SHAKEBED_CACHE, else build/cache
   int jobs = 0;                                ///< 0: all cores
   std::optional<std::filesystem::path> csv;    ///< collect, snapshots: file; else standard output
-  std::optional<std::filesystem::path> profiles;  ///< collect: height profiles, a row a box
+  std::optional<std::filesystem::path> profiles;    ///< collect: height profiles, a row a box
+  int phases = 20;                                  ///< series: of each cycle
+  double from = 0;                                  ///< series [cycles]
+  double to = 1e9;                                  ///< series [cycles]
+  std::optional<std::filesystem::path> reference;   ///< networks: a paper's numbers
+  std::optional<std::filesystem::path> csv_folder;  ///< networks: where its tables go
 };
 int sweep_run_command(const SweepOptions& options);
 int sweep_status_command(const SweepOptions& options);
 int sweep_collect_command(const SweepOptions& options);
 int sweep_snapshots_command(const SweepOptions& options);
+int sweep_series_command(const SweepOptions& options);
+int sweep_networks_command(const SweepOptions& options);
 
 struct FitOptions {
   std::filesystem::path fit;

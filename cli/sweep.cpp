@@ -7,6 +7,7 @@
 #include "files/error.hpp"
 #include "simulator/simulate.hpp"
 #include "sweeps/collect.hpp"
+#include "sweeps/column_table.hpp"
 #include "sweeps/ensemble.hpp"
 #include "sweeps/grid.hpp"
 #include "sweeps/progress.hpp"
@@ -112,6 +113,14 @@ int sweep_snapshots_command(const SweepOptions& options) {
   const sweeps::Grid grid = sweeps::read_grid(options.sweep, options.profile);
   const Cache cache(Cache::place(options.cache));
   return publish(grid, cache, sweeps::collect_snapshots(grid, cache), options);
+}
+
+int sweep_series_command(const SweepOptions& options) {
+  const sweeps::Grid grid = sweeps::read_grid(options.sweep, options.profile);
+  const Cache cache(Cache::place(options.cache));
+  return publish(grid, cache,
+                 sweeps::collect_series(grid, cache, {options.phases, options.from, options.to}),
+                 options);
 }
 
 }  // namespace shakebed::cli

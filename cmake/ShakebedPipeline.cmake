@@ -1,12 +1,15 @@
 # The experiments as chains of files, each link declared once:
 #
 #   add_sweep(id FILE sweep.yaml [SHIPPED averages.csv] [PROFILES [SHIPPED_PROFILES profiles.csv]])
-#     or with SNAPSHOTS [SHIPPED_SNAPSHOTS snapshots.csv]
+#     or with SNAPSHOTS [SHIPPED_SNAPSHOTS snapshots.csv], or with SERIES or NETWORKS
+#   add_scene(id FILE scene.yaml)
+#   add_table(id FILE table.csv)
 #   add_fit(id FILE fit.yaml SWEEP sweep-id [USES files...])
 #   add_figure(id SPEC figure.yaml NEEDS sweep- and fit-ids)
 #
-# Every chain exists over tables of up to three origins, each with files under results/<origin>/:
+# Every chain exists over tables of up to four origins, each with files under results/<origin>/:
 #   quick    targets sweep-<id>, fit-<id>, <figure id>           beds at the quick profile
+#   standard the same names with -standard, of sweeps with STANDARD   beds between both in size
 #   paper    the same names with -paper                          beds at the paper profile
 #   shipped  the same names with -shipped, and `refit` for all   averages under data/, no bed
 #
@@ -18,6 +21,7 @@
 # height profiles under <id>.profiles, its snapshots under <id>.snapshots), a fit's under <id>.parameters, <id>.summary, <id>.curves, ... (SHAKEBED_FIT_TABLES).
 
 set(SHAKEBED_RESULTS "${CMAKE_BINARY_DIR}/results" CACHE PATH "Tables, fits and figures")
+set(SHAKEBED_NETWORK_TABLES cycle numbers passes pdf fits correlation edges grains)
 set(SHAKEBED_FIT_TABLES parameters summary exponents curves comparison correlations points collapse
     ratios)
 
@@ -90,14 +94,21 @@ function(shakebed_collect origin ids offered targets tables files)
 endfunction()
 
 # add_sweep(id FILE sweep.yaml [SHIPPED averages.csv] [PROFILES [SHIPPED_PROFILES profiles.csv]])
-#   [SNAPSHOTS [SHIPPED_SNAPSHOTS snapshots.csv]]
-# PROFILES: the height profiles are collected too; SNAPSHOTS: so are the snapshots.
+#   [SNAPSHOTS [SHIPPED_SNAPSHOTS snapshots.csv]] [SERIES] [NETWORKS [REFERENCE numbers.csv]] [STANDARD]
+# PROFILES: the height profiles are collected too; SNAPSHOTS: so are the snapshots; SERIES: and how
+# beds in containers go, as <id>.series (20 phases of each cycle) and <id>.cycle (160 from T = 10 to
+# 11); NETWORKS: the statistics of their snapshots' forces, as <id>.<table> (SHAKEBED_NETWORK_TABLES).
+# What SERIES and NETWORKS ship lies beside SHIPPED, as averages.<table>.csv.
 function(add_sweep id)
-  cmake_parse_arguments(PARSE_ARGV 1 S "PROFILES;SNAPSHOTS"
-    "FILE;SHIPPED;SHIPPED_PROFILES;SHIPPED_SNAPSHOTS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 S "PROFILES;SNAPSHOTS;SERIES;NETWORKS;STANDARD"
+    "FILE;SHIPPED;SHIPPED_PROFILES;SHIPPED_SNAPSHOTS;REFERENCE" "")
   shakebed_declare(SOURCE "${id}")
   shakebed_existing_file(file "${id}" "${S_FILE}")
-  foreach(profile quick paper)
+  set(profiles_of_sweep quick paper)
+  if(S_STANDARD)
+    list(APPEND profiles_of_sweep standard)
+  endif()
+  foreach(profile IN LISTS profiles_of_sweep)
     shakebed_target_name(target "sweep-${id}" ${profile})
     set(table "${SHAKEBED_RESULTS}/${profile}/tables/${id}.csv")
     set(profiles "${SHAKEBED_RESULTS}/${profile}/tables/${id}.profiles.csv")
@@ -118,6 +129,17 @@ function(add_sweep id)
         COMMAND ${CMAKE_COMMAND} "-DNEW=${snapshots}.new" "-DTARGET=${snapshots}"
                 -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake")
     endif()
+    set(tables "${SHAKEBED_RESULTS}/${profile}/tables")
+    if(S_SERIES)
+      shakebed_series_of("${id}" "${file}" ${profile} "${tables}" more commands)
+      list(APPEND offers ${more})
+      list(APPEND replacing ${commands})
+    endif()
+    if(S_NETWORKS)
+      shakebed_networks_of("${id}" "${file}" ${profile} "${tables}" "${S_REFERENCE}" more commands)
+      list(APPEND offers ${more})
+      list(APPEND replacing ${commands})
+    endif()
     list(TRANSFORM offers REPLACE "^[^=]*=" "" OUTPUT_VARIABLE made)
     add_custom_target(${target}
       COMMAND shakebed sweep run "${file}" --profile ${profile}
@@ -133,14 +155,94 @@ function(add_sweep id)
     shakebed_offer("${id}" ${profile} ${target} "${offers}")
   endforeach()
   if(S_SHIPPED)
-    shakebed_offer_shipped("${id}" "${S_SHIPPED}" "${S_SHIPPED_PROFILES}" "${S_SHIPPED_SNAPSHOTS}")
+    set(pairs "${id}=${S_SHIPPED}" "${id}.profiles=${S_SHIPPED_PROFILES}"
+        "${id}.snapshots=${S_SHIPPED_SNAPSHOTS}")
+    set(kinds)
+    if(S_SERIES)
+      list(APPEND kinds series cycle)
+    endif()
+    if(S_NETWORKS)
+      list(APPEND kinds ${SHAKEBED_NETWORK_TABLES})
+    endif()
+    foreach(kind IN LISTS kinds)
+      string(REGEX REPLACE "csv$" "${kind}.csv" beside "${S_SHIPPED}")
+      list(APPEND pairs "${id}.${kind}=${beside}")
+    endforeach()
+    shakebed_offer_shipped("${id}" ${pairs})
   endif()
 endfunction()
 
-# Averages (and profiles or snapshots) under data/, as far as they are there: all of a sweep's or none.
-function(shakebed_offer_shipped id averages profiles snapshots)
+# Commands that collect the series of a sweep, and the NAME=FILE pairs they make.
+function(shakebed_series_of id file profile folder offers commands)
+  set(pairs)
+  set(all)
+  foreach(choice "series --phases 20" "cycle --phases 160 --from 10 --to 11")
+    separate_arguments(words UNIX_COMMAND "${choice}")
+    list(POP_FRONT words kind)
+    set(table "${folder}/${id}.${kind}.csv")
+    list(APPEND pairs "${id}.${kind}=${table}")
+    list(APPEND all
+      COMMAND shakebed sweep series "${file}" --profile ${profile} ${words} --csv "${table}.new"
+      COMMAND ${CMAKE_COMMAND} "-DNEW=${table}.new" "-DTARGET=${table}"
+              -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake")
+  endforeach()
+  set(${offers} "${pairs}" PARENT_SCOPE)
+  set(${commands} "${all}" PARENT_SCOPE)
+endfunction()
+
+# The same for the statistics of its snapshots' forces, beside the numbers of `reference`.
+function(shakebed_networks_of id file profile folder reference offers commands)
+  set(options)
+  if(reference)
+    shakebed_existing_file(numbers "${id}" "${reference}")
+    set(options --reference "${numbers}")
+  endif()
+  set(new "${folder}/${id}.networks.new")
+  set(pairs)
+  set(all COMMAND shakebed sweep networks "${file}" --profile ${profile} ${options}
+                  --csv-folder "${new}")
+  foreach(kind IN LISTS SHAKEBED_NETWORK_TABLES)
+    set(table "${folder}/${id}.${kind}.csv")
+    list(APPEND pairs "${id}.${kind}=${table}")
+    list(APPEND all COMMAND ${CMAKE_COMMAND} "-DNEW=${new}/${kind}.csv" "-DTARGET=${table}"
+                            -P "${PROJECT_SOURCE_DIR}/cmake/ReplaceIfChanged.cmake")
+  endforeach()
+  set(${offers} "${pairs}" PARENT_SCOPE)
+  set(${commands} "${all}" PARENT_SCOPE)
+endfunction()
+
+# add_table(id FILE table.csv): a hand-written table under its id, for every origin.
+function(add_table id)
+  cmake_parse_arguments(PARSE_ARGV 1 W "" "FILE" "")
+  shakebed_declare(SOURCE "${id}")
+  shakebed_existing_file(file "${id}" "${W_FILE}")
+  foreach(origin quick standard paper shipped)
+    shakebed_offer("${id}" ${origin} "" "${id}=${file}")
+  endforeach()
+endfunction()
+
+# add_scene(id FILE scene.yaml): the contacts of a bed in a container, by kind, as table
+# <id>.contacts of every origin. No bed is run.
+function(add_scene id)
+  cmake_parse_arguments(PARSE_ARGV 1 C "" "FILE" "")
+  shakebed_declare(SOURCE "${id}")
+  shakebed_existing_file(file "${id}" "${C_FILE}")
+  set(table "${SHAKEBED_RESULTS}/scenes/${id}.contacts.csv")
+  add_custom_command(OUTPUT "${table}"
+    COMMAND shakebed check "${file}" --csv "${table}" > "${table}.txt"
+    DEPENDS "${file}" shakebed
+    COMMENT "Contacts of ${id}" VERBATIM)
+  add_custom_target("scene-${id}" DEPENDS "${table}")
+  foreach(origin quick standard paper shipped)
+    shakebed_offer("${id}" ${origin} "scene-${id}" "${id}.contacts=${table}")
+  endforeach()
+endfunction()
+
+# NAME=FILE pairs of tables under data/, as far as they are there: all of a sweep's or none. Pairs
+# without a file are passed over.
+function(shakebed_offer_shipped id)
   set(offers)
-  foreach(pair "${id}=${averages}" "${id}.profiles=${profiles}" "${id}.snapshots=${snapshots}")
+  foreach(pair IN LISTS ARGN)
     string(REGEX REPLACE "^([^=]*)=(.*)$" "\\1;\\2" parts "${pair}")
     list(GET parts 0 name)
     if(pair STREQUAL "${name}=")
@@ -170,7 +272,7 @@ function(add_fit id)
     shakebed_existing_file(used "${id}" "${used}")
     list(APPEND uses "${used}")
   endforeach()
-  foreach(origin quick paper shipped)
+  foreach(origin quick standard paper shipped)
     shakebed_collect(${origin} "${F_SWEEP}" offered sweep_target tables table)
     if(NOT offered)
       continue()
@@ -217,7 +319,7 @@ function(add_figure id)
   if(G_TABLE)
     set(endings csv txt md)
   endif()
-  foreach(origin quick paper shipped)
+  foreach(origin quick standard paper shipped)
     shakebed_collect(${origin} "${G_NEEDS}" offered needed_targets tables files)
     if(NOT offered)
       continue()
@@ -243,11 +345,15 @@ function(add_figure id)
   set_property(GLOBAL PROPERTY SHAKEBED_NEEDS_${id} "${G_NEEDS}")
 endfunction()
 
-# add_job(name FIGURES ids... [PRINTS table-id]): one word for several figures, over beds; the text
+# add_job(name FIGURES ids... [PRINTS table-id] [STANDARD]): one word for several figures, over beds; the text
 # of a table is printed at the end.
 function(add_job name)
-  cmake_parse_arguments(PARSE_ARGV 1 J "" "PRINTS" "FIGURES")
-  foreach(profile quick paper)
+  cmake_parse_arguments(PARSE_ARGV 1 J "STANDARD" "PRINTS" "FIGURES")
+  set(profiles quick paper)
+  if(J_STANDARD)
+    list(APPEND profiles standard)
+  endif()
+  foreach(profile IN LISTS profiles)
     shakebed_target_name(job "${name}" ${profile})
     set(figures)
     foreach(id IN LISTS J_FIGURES)
@@ -274,7 +380,7 @@ function(shakebed_write_pipeline)
   foreach(id IN LISTS figures)
     get_property(needs GLOBAL PROPERTY SHAKEBED_NEEDS_${id})
     set(origins)
-    foreach(origin quick paper shipped)
+    foreach(origin quick standard paper shipped)
       get_property(outputs GLOBAL PROPERTY SHAKEBED_OUTPUTS_${id}_${origin})
       if(outputs)
         list(APPEND origins ${origin})

@@ -1,5 +1,6 @@
 #include "figures/claims.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -27,6 +28,12 @@ std::string number_with_error(const Result& result, const std::string& unit) {
   std::string text = rounded(result.value);
   if (result.standard_error > 0) text += " ± " + rounded(result.standard_error);
   return unit == "1" ? text : text + " " + unit;
+}
+
+bool shapes_only(const Manifest& manifest, const Entry& entry, const std::string& origin) {
+  const auto profiles = manifest.shapes_only.find(entry.paper);
+  if (profiles == manifest.shapes_only.end()) return false;
+  return std::count(profiles->second.begin(), profiles->second.end(), origin) > 0;
 }
 
 }  // namespace
@@ -61,8 +68,11 @@ std::vector<JudgedClaim> judge_claims(const Manifest& manifest, const PipelineTa
     for (const auto& claim : entry.claims) {
       JudgedClaim one{entry.id, &claim, {}};
       for (const auto& origin : origins) {
-        one.results[origin] = fitting::claims::judge(
+        Result& result = one.results[origin] = fitting::claims::judge(
             claim, [&](const std::string& name) { return tables.find(origin, name); });
+        if (std::isnan(result.value) || !shapes_only(manifest, entry, origin)) continue;
+        result.verdict = fitting::claims::Verdict::not_decided;
+        result.remark = "beds of this profile show shapes only";
       }
       judged.push_back(std::move(one));
     }

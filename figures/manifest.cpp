@@ -120,8 +120,13 @@ Manifest read_manifest(const std::filesystem::path& file) {
   Manifest manifest;
   manifest.file = file;
   for (const auto& [key, paper] : root.at("papers").items()) {
-    paper.refuse_unknown_keys({"title", "doi"});
+    paper.refuse_unknown_keys({"title", "doi", "shapes_only"});
     manifest.papers[key] = paper.at("doi").as_string();
+    if (const auto profiles = paper.find("shapes_only")) {
+      for (const auto& one : profiles->elements()) {
+        manifest.shapes_only[key].push_back(one.as_string());
+      }
+    }
   }
   for (const auto& [id, entry] : root.at("entries").items()) {
     manifest.entries.push_back(read_entry(id, entry, manifest.papers));

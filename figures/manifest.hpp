@@ -60,6 +60,8 @@ struct ShippedFile {
 /// list of figures itself comes from their declarations in CMake; a test holds the two together.
 struct Manifest {
   std::map<std::string, std::string> papers;  ///< key -> DOI
+  /// Profiles whose beds are too small for a paper's statements: they decide nothing.
+  std::map<std::string, std::vector<std::string>> shapes_only;
   std::vector<Entry> entries;
   std::vector<ShippedFile> files;
 

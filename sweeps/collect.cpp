@@ -2,31 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
-#include "simulator/simulate.hpp"
+#include "sweeps/cached_runs.hpp"
 #include "sweeps/combine.hpp"
 #include "sweeps/cost_model.hpp"
 #include "sweeps/profiles.hpp"
-#include "sweeps/store/run_key.hpp"
 #include "sweeps/store/table.hpp"
 
 namespace shakebed::sweeps {
 namespace {
-
-/// What is known of a point without running it.
-std::vector<simulator::Scalar> point_scalars(const simulator::Scene& scene) {
-  const double v = scene.base.drive.peak_velocity();
-  std::vector<simulator::Scalar> scalars{
-      {"W", "1", scene.W()},
-      {"Gamma", "1", scene.Gamma()},
-      {"V_p", "sqrt(g d)", v},
-      {"layers", "1", scene.grains.layers},
-      {"grains", "1", static_cast<double>(scene.grains.count)}};
-  // Without gravity there is no W; V_p^2/(d g) with the unit g is still an abscissa.
-  if (scene.gravity == 0) scalars.push_back({"W_nominal", "1", v * v});
-  return scalars;
-}
 
 void drop_what_the_point_says(store::TableRow& row) {
   std::erase_if(row.scalars, [&](const simulator::Scalar& scalar) {
@@ -36,86 +20,6 @@ void drop_what_the_point_says(store::TableRow& row) {
     return false;
   });
 }
-
-/// Sorted and joined: the same for any order of the runs.
-std::string joined(const std::set<std::string>& texts) {
-  std::string all;
-  for (const auto& text : texts) all += (all.empty() ? "" : ", ") + text;
-  return all.empty() ? "none" : all;
-}
-
-/// Who made the runs of a table.
-struct Makers {
-  std::set<std::string> revisions;
-  std::set<std::string> machines;
-  std::set<std::string> flags;
-  void add(const store::Provenance& provenance) {
-    revisions.insert(provenance.git_revision);
-    machines.insert(provenance.machine);
-    flags.insert(provenance.compiler + " " + provenance.compiler_flags);
-  }
-};
-
-std::vector<std::string> provenance_lines(const Grid& grid, const Collected& collected,
-                                          const Makers& makers, const std::string& all_keys) {
-  std::vector<std::string> lines{"sweep: " + grid.id,
-                                 "profile: " + grid.profile,
-                                 "physics version: " + std::to_string(simulator::physics_version),
-                                 "git revision: " + joined(makers.revisions),
-                                 "machine: " + joined(makers.machines),
-                                 "compiler: " + joined(makers.flags),
-                                 "points: " + std::to_string(grid.points.size()) +
-                                     ", runs: " + std::to_string(collected.runs_present),
-                                 "digest of the run keys: " + store::digest(all_keys)};
-  if (collected.runs_missing > 0) {
-    lines.push_back("incomplete: " + std::to_string(collected.runs_missing) + " runs are missing");
-  }
-  return lines;
-}
-
-/// The cached records of one point, replicate by replicate; what is missing is counted.
-class Reader {
- public:
-  Reader(const Grid& grid, const store::Cache& cache)
-      : grid_(grid), cache_(cache), runs_(runs_of(grid)) {}
-
-  std::size_t points() const { return grid_.points.size(); }
-  const Point& point(std::size_t k) const { return grid_.points[runs_[first_run(k)].point]; }
-
-  std::vector<simulator::Record> records(std::size_t point, Collected& collected) {
-    std::vector<simulator::Record> found_records;
-    const auto replicates = static_cast<std::size_t>(grid_.replicates);
-    for (std::size_t replicate = 0; replicate < replicates; ++replicate) {
-      const Run& run = runs_[first_run(point) + replicate];
-      all_keys_ += run.identity.key;
-      auto found = cache_.find(run.identity);
-      if (found.run) {
-        makers_.add(found.run->provenance);
-        found_records.push_back(std::move(found.run->record));
-      } else if (!found.problem.empty()) {
-        collected.problems.push_back(found.problem);
-      }
-    }
-    collected.runs_present += found_records.size();
-    collected.runs_missing += replicates - found_records.size();
-    return found_records;
-  }
-
-  std::vector<std::string> provenance(const Collected& collected) const {
-    return provenance_lines(grid_, collected, makers_, all_keys_);
-  }
-
- private:
-  std::size_t first_run(std::size_t point) const {
-    return point * static_cast<std::size_t>(grid_.replicates);
-  }
-
-  const Grid& grid_;
-  const store::Cache& cache_;
-  std::vector<Run> runs_;
-  Makers makers_;
-  std::string all_keys_;
-};
 
 const std::vector<files::CsvColumn> grain_columns{{"snapshot", ""},     {"snapshot_cycles", "1"},
                                                   {"base_height", "d"}, {"id", "1"},
@@ -145,7 +49,7 @@ void add_grain_rows(files::CsvTable& table, const std::vector<std::string>& poin
 Collected collect(const Grid& grid, const store::Cache& cache, With with) {
   Collected collected;
   ProfileTable profiles(grid);
-  Reader reader(grid, cache);
+  CachedRuns reader(grid, cache);
   std::vector<store::TableRow> rows;
   for (std::size_t k = 0; k < reader.points(); ++k) {
     const auto replicates = reader.records(k, collected);
@@ -168,7 +72,7 @@ Collected collect(const Grid& grid, const store::Cache& cache, With with) {
 
 Collected collect_snapshots(const Grid& grid, const store::Cache& cache) {
   Collected collected;
-  Reader reader(grid, cache);
+  CachedRuns reader(grid, cache);
   auto columns = grid.columns;
   const auto taken = [&grid](const simulator::Scalar& scalar) {
     return std::any_of(grid.columns.begin(), grid.columns.end(),

@@ -56,4 +56,21 @@ std::vector<PublishedLaw> published_laws() {
           {"Mueth 1998", {3.0, 0.75, 1.5, 0}}};
 }
 
+PublishedPassLaws published_law_of_pass(int pass) {
+  const auto shifted = [](double a, double b, double theta, double lambda) {
+    constexpr double beta = 1.35;
+    return ForceLaw{a * std::exp(beta * lambda), b, beta, theta};
+  };
+  switch (pass) {
+    case 0:
+      return {shifted(2.46, 0.68, 0, 0), shifted(2.46, 0.83, 0, 0)};
+    case 1:
+      return {shifted(2.2, 0.9, 0.25, 0.5), shifted(2.46, 0.83, 0.45, 0.45)};
+    case 2:
+      return {shifted(3.1, 0.8, -0.1, -0.1), shifted(2.46, 0.83, 0.1, 0.1)};
+    default:
+      return {shifted(2.46, 0.83, 0, 0), std::nullopt};
+  }
+}
+
 }  // namespace shakebed::fitting::networks

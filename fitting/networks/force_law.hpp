@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,14 @@ struct PublishedLaw {
 };
 /// Sun 2006 prints b = 0.83 in its text and 0.68 in the caption of Fig. 12; Mueth 1998.
 std::vector<PublishedLaw> published_laws();
+
+/// What Sun 2006 prints of P(f) of all contacts (pass 0) and of those of passes 1 .. p: the fit of
+/// the whole range (for pass 0 the caption's triple), and another one (for pass 0 the text's
+/// triple, for passes 1 and 2 that of all contacts shifted so that it fits the tail).
+struct PublishedPassLaws {
+  std::optional<ForceLaw> whole;
+  std::optional<ForceLaw> other;
+};
+PublishedPassLaws published_law_of_pass(int pass);
 
 }  // namespace shakebed::fitting::networks

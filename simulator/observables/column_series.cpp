@@ -22,14 +22,15 @@ std::vector<double> cycle_means(const std::vector<double>& values, long phases) 
   return means;
 }
 
-/// How far the large grain's top stands under (< 0) the bed's surface, cycle by cycle.
+/// How far the large grain's top stands over (> 0) or under the bed's surface, cycle by cycle.
 std::vector<double> above_surface(const ColumnSeries& series, long phases, double large_radius) {
   const auto& large = series[Column::large_height];
   const auto& small = series[Column::small_height];
-  const auto& base = series[Column::base_height];
+  if (small.empty()) return {};
+  const double half_height = small.front() - series[Column::base_height].front();
   std::vector<double> above;
   for (std::size_t k = 0; k < large.size(); ++k) {
-    above.push_back(large[k] + large_radius - base[k] - 2 * (small[k] - base[k]));
+    above.push_back(large[k] + large_radius - small[k] - half_height);
   }
   return cycle_means(above, phases);
 }
@@ -38,13 +39,13 @@ std::vector<double> above_surface(const ColumnSeries& series, long phases, doubl
 
 double rise_time(const ColumnSeries& series, long phases, double large_radius) {
   const auto above = above_surface(series, phases, large_radius);
-  for (std::size_t c = 0; c < above.size(); ++c) {
-    if (above[c] < 0 || std::isnan(above[c])) continue;
-    if (c == 0) return 0;
-    const double share = -above[c - 1] / (above[c] - above[c - 1]);
-    return static_cast<double>(c) - 0.5 + share;
-  }
-  return std::nan("");
+  std::size_t there = above.size();  // from here on it stays
+  while (there > 0 && above[there - 1] >= -large_radius) --there;
+  while (there < above.size() && above[there] < 0) ++there;
+  if (there == above.size()) return std::nan("");
+  if (there == 0) return 0;
+  const double share = -above[there - 1] / (above[there] - above[there - 1]);
+  return static_cast<double>(there) - 0.5 + share;
 }
 
 void write_column_series(Record& record, const ColumnSeries& series, long phases,
@@ -59,7 +60,9 @@ void write_column_series(Record& record, const ColumnSeries& series, long phases
                                  mean_of_series(cycle_means(series[column], phases)).estimate});
   }
   if (!has_large) return;
-  record.scalars.push_back({"rise_time", "cycles", rise_time(series, phases, large_radius)});
+  const double rise = rise_time(series, phases, large_radius);
+  record.quantities.push_back({"rise_time", "cycles", {rise, std::nan("")}});
+  record.scalars.push_back({"risen", "1", std::isnan(rise) ? 0.0 : 1.0});
   const auto above = above_surface(series, phases, large_radius);
   if (!above.empty()) {
     record.scalars.push_back({"large_above_surface", "d", above.back()});

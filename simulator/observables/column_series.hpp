@@ -95,10 +95,12 @@ class ColumnSeries {
   std::array<std::vector<double>, columns> values_;
 };
 
-/// The cycle at which the large grain has come to the surface, or NaN. The bed's surface over the
-/// base is twice the height of the small grains' centre of mass; the grain is there when its top,
-/// averaged over a cycle, reaches it. Between cycles, which count from their middle, straight
-/// lines. (The paper states no rule for its rise times.)
+/// The cycle at which the large grain has come to the surface for good, or NaN. The surface lies as
+/// high above the small grains' centre of mass as that lies above the base at T = 0, in the packed
+/// bed at rest; the grain is there when its top, averaged over a cycle, reaches it, and stays when
+/// it never falls by more than its radius below it again. Both heights fly with the bed, so that a
+/// bed high above the base is no taller for it. Between cycles, which count from their middle,
+/// straight lines. (The paper states no rule for its rise times.)
 double rise_time(const ColumnSeries& series, long phases, double large_radius);
 
 /// Everything of the series that goes into a run's record.

@@ -219,7 +219,7 @@ void read_snapshots(SceneValues& values, Scene& scene) {
   wanted.phases = values.numbers(snapshots + ".phases").value_or(std::vector<double>{});
   wanted.cycles = values.integer(snapshots + ".cycles").value_or(1);
   if (values.refused(snapshots + ".phases") || values.refused(snapshots)) return;
-  if (values.given(snapshots) && wanted.phases.empty()) {
+  if (values.given(snapshots) && !values.given(snapshots + ".phases")) {
     values.report(snapshots,
                   "`protocol.snapshots` needs `phases`, the instants of a cycle at which the bed "
                   "is kept: {phases: [0, 0.25]}");

@@ -69,7 +69,11 @@ std::string time_step_text(const Scene& scene) {
 
 std::string snapshots_text(const Scene& scene) {
   const auto& snapshots = scene.protocol.snapshots;
-  if (snapshots.phases.empty()) return "";
+  if (snapshots.phases.empty()) {
+    // Without the key a run this long would have the default's snapshots.
+    const bool off = scene.protocol.cycles.value_or(0) > default_snapshot_cycle;
+    return off ? "  snapshots: {phases: []}\n" : "";
+  }
   std::string phases;
   for (const double phase : snapshots.phases) {
     phases += (phases.empty() ? "" : ", ") + number_text(phase);

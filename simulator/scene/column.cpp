@@ -179,7 +179,8 @@ void read_time_step(SceneValues& values, Scene& scene) {
 
 void read_snapshots_of_column(SceneValues& values, Scene& scene) {
   auto& wanted = scene.protocol.snapshots;
-  wanted.from_cycle = values.integer("protocol.snapshots.from_cycle").value_or(10);
+  wanted.from_cycle =
+      values.integer("protocol.snapshots.from_cycle").value_or(default_snapshot_cycle);
   const bool default_fits = scene.protocol.cycles && *scene.protocol.cycles > wanted.from_cycle;
   if (!values.given("protocol.snapshots") && default_fits) {
     for (int k = 0; k < 20; ++k) wanted.phases.push_back(0.05 * k);

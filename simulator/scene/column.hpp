@@ -8,6 +8,9 @@
 
 namespace shakebed::simulator {
 
+/// The cycle in which a bed in a container has snapshots when nothing else is said.
+constexpr long default_snapshot_cycle = 10;
+
 /// Completes a scene that has a container; what does not fit goes to the faults of `values`. Called
 /// once grains.count, grains.friction, the drive and the protocol's measured cycles are known.
 void read_column(SceneValues& values, Scene& scene, std::optional<double> diameter_mm);

@@ -198,7 +198,7 @@ const std::vector<Key>& table() {
        "mean at each instant, where a box with fewer than two grains counts as cold"},
       {"protocol.snapshots.phases", numbers, "cycles", Range{0, 1, false, true}, {}, false, "none",
        "phases of the drive at which positions, velocities and contacts are kept; at 0 the base "
-       "passes its mean height upwards"},
+       "passes its mean height upwards; [] for none (a container's default is 20 of cycle 10)"},
       {"protocol.snapshots.from_cycle", integer, "cycles", from_to(0, 1e9), {}, false, "10",
        "in a container: the first cycle that has snapshots"},
       {"protocol.snapshots.cycles", integer, "cycles", from_to(1, 1e4), {}, false, "1",

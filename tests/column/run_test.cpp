@@ -191,19 +191,28 @@ TEST_CASE("A filled column overlaps nothing and nobody") {
   CHECK_THROWS_AS(simulator::fill_column({0.5, 3, 1, 1, false, 0, 0}, 1), files::Error);
 }
 
-TEST_CASE("The rise time is where the large grain's top meets the surface, between cycles") {
-  simulator::ColumnSeries series;
-  simulator::SizedGrains grains;
-  grains.resize_to(2);
+TEST_CASE("The rise time is where the large grain's top meets the surface for good") {
   constexpr long phases = 4;
-  for (int cycle = 0; cycle < 6; ++cycle) {
-    for (int phase = 0; phase < phases; ++phase) {
-      grains.position[2][0] = 2.0 * cycle;  // its top is at 2 cycle + 1, the surface at 8
-      grains.position[2][1] = 4;
-      series.sample(grains, true, {0, 0}, {}, {0, 0}, false);
+  const auto series_of = [](const std::vector<double>& tops) {
+    simulator::ColumnSeries series;
+    simulator::SizedGrains grains;
+    grains.resize_to(2);
+    for (std::size_t cycle = 0; cycle < tops.size(); ++cycle) {
+      // The packed bed is 8 high; then it flies, as high as it likes. Tops are over its bottom.
+      const double flies = 100.0 * static_cast<double>(cycle);
+      grains.position[2][0] = tops[cycle] - 1 + flies;
+      grains.position[2][1] = 4 + flies;
+      for (int phase = 0; phase < phases; ++phase) {
+        series.sample(grains, true, {0, 0}, {}, {0, 0}, false);
+      }
     }
-  }
+    return series;
+  };
   // Cycle 3 (whose middle is 3.5): 7 < 8; cycle 4 (4.5): 9 > 8; half-way between.
-  CHECK(simulator::rise_time(series, phases, 1) == Approx(4));
-  CHECK(std::isnan(simulator::rise_time(series, phases, -5)));
+  CHECK(simulator::rise_time(series_of({1, 3, 5, 7, 9, 11}), phases, 1) == Approx(4));
+  CHECK(simulator::rise_time(series_of({1, 9, 7.5, 8.5}), phases, 1) == Approx(1.5 - 1. / 8));
+  CHECK(simulator::rise_time(series_of({1, 9, 6.5, 7.5, 8.5}), phases, 1) == Approx(4));
+  CHECK(simulator::rise_time(series_of({9, 9}), phases, 1) == 0);
+  CHECK(std::isnan(simulator::rise_time(series_of({1, 9, 6}), phases, 1)));
+  CHECK(std::isnan(simulator::rise_time(series_of({1, 3, 5}), phases, 1)));
 }

@@ -1,0 +1,21 @@
+# The large grain against wall friction, and against the stiffness without it, initial height 43 d0, at integer T.
+load 'style.gp'
+load 'rise.gp'
+set multiplot
+set lmargin at screen 0.07
+set rmargin at screen 0.485
+set label 1 '(a)' at graph 0.93, 0.06
+array values[5] = ['0.5', '0.2', '0.1', '0.05', '0']
+array labels[5] = ['{/Symbol m}_{wall} = 0.5', '{/Symbol m}_{wall} = 0.2', '{/Symbol m}_{wall} = 0.1', '{/Symbol m}_{wall} = 0.05', '{/Symbol m}_{wall} = 0']
+plot for [v = 1:5] for [r = 1:6] friction using (one_of(friction_mu_wall, values[v], r, friction_replicate) ? column(friction_T) : NaN):(column(friction_large_height)) \
+       with linespoints pointtype 7 pointsize 0.35 linewidth 1.4 linecolor rgb hues[v], \
+     for [v = 1:5] keyentry with lines linewidth 2 linecolor rgb hues[v] title labels[v]
+set lmargin at screen 0.575
+set rmargin at screen 0.985
+set label 1 '(b)' at graph 0.93, 0.06
+array values[3] = ['2e4', '2e5', '2e6']
+array labels[3] = ['{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^4', '{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^5', '{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^6']
+plot for [v = 1:3] for [r = 1:6] stiffness using (one_of(stiffness_k_n, values[v], r, stiffness_replicate) ? column(stiffness_T) : NaN):(column(stiffness_large_height)) \
+       with linespoints pointtype 7 pointsize 0.35 linewidth 1.4 linecolor rgb hues[v], \
+     for [v = 1:3] keyentry with lines linewidth 2 linecolor rgb hues[v] title labels[v]
+unset multiplot
