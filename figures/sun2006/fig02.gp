@@ -20,7 +20,7 @@ set xrange [x_min - 1:x_max + 1]
 set xtics 5
 set multiplot layout 1, beds_shown
 do for [k = 1:beds_shown] {
-  set title sprintf('%s small grains, height %.1f {/:Italic d}_0', shown[k], tall[k])
+  set title sprintf("%s small grains,\nheight %.1f {/:Italic d}_0", shown[k], tall[k])
   plot grains using (strcol(grains_small_grains) eq shown[k] && column(grains_id) > 0 ? column(grains_x) : NaN):(column(grains_z)):(section(column(grains_radius), column(grains_y))) with circles fillcolor rgb '#BBBBBB', \
        grains using (strcol(grains_small_grains) eq shown[k] && column(grains_id) == 0 ? column(grains_x) : NaN):(column(grains_z)):(section(column(grains_radius), column(grains_y))) with circles fillcolor rgb orange
 }

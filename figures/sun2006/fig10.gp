@@ -2,7 +2,7 @@
 load 'style.gp'
 load 'rise.gp'
 set multiplot
-set ylabel 'coordination number {/:Italic Z}'
+set ylabel 'coordination number {/:Italic Z}' offset 1.5
 set xrange [10:*<20]
 set yrange [0:*]
 set offsets 0, 0, graph 0.15, 0

@@ -25,7 +25,7 @@ do for [k = 1:2] {
   set title sprintf('(%s)  {/Symbol m}_{wall} = %s', 'ab'[k:k], mu[k])
   if (k == 1) { unset colorbox } else { set colorbox }
   own(name, value) = strcol(name) eq mu[k] ? value : NaN
-  plot grains using (own(grains_mu_wall, column(grains_radius) < 1 ? column(grains_x) : NaN)):(column(grains_z)) with dots linecolor rgb light, \
+  plot grains using (own(grains_mu_wall, column(grains_radius) < 1 ? column(grains_x) : NaN)):(column(grains_z)) with points pointtype 7 pointsize 0.12 linecolor rgb light, \
        for [w = 1:5] edges using (own(edges_mu_wall, class(column(edges_normal_force)) == w ? column(edges_x_i) : NaN)):(column(edges_z_i)):(column(edges_x_j) - column(edges_x_i)):(column(edges_z_j) - column(edges_z_i)):(column(edges_normal_force)) \
          with vectors nohead linewidth (0.2 + 0.6 * w) linecolor palette, \
        grains using (own(grains_mu_wall, column(grains_radius) > 1 ? column(grains_x) : NaN)):(column(grains_z)):(column(grains_radius)) with circles fillstyle transparent solid 0.35 border linecolor rgb vermillion
