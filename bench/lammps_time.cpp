@@ -18,22 +18,25 @@ std::string last_words(const std::string& text) {
   return text.size() <= most ? text : text.substr(text.size() - most);
 }
 
-/// "Loop time of 1.23 on 1 procs for 1000 steps with 100 atoms", "99.8% CPU use with ...".
-double cpu_seconds_of(const std::string& screen) {
+}  // namespace
+
+std::vector<double> cpu_seconds_of_runs(const std::string& screen) {
+  std::vector<double> seconds;
   double loop = 0;
-  double percent = 0;
   std::istringstream lines(screen);
   for (std::string line; std::getline(lines, line);) {
     std::sscanf(line.c_str(), "Loop time of %lf on", &loop);
-    if (line.find("% CPU use") != std::string::npos) std::sscanf(line.c_str(), "%lf%%", &percent);
+    double percent = 0;
+    if (line.find("% CPU use") == std::string::npos) continue;
+    if (std::sscanf(line.c_str(), "%lf%%", &percent) == 1 && loop > 0 && percent > 0) {
+      seconds.push_back(loop * percent / 100);
+    }
   }
-  if (loop <= 0 || percent <= 0) {
+  if (seconds.empty()) {
     throw files::failed("lmp", "wrote no loop time; it ended with:\n" + last_words(screen));
   }
-  return loop * percent / 100;
+  return seconds;
 }
-
-}  // namespace
 
 bool lammps_is_here() { return std::system("command -v lmp >/dev/null 2>&1") == 0; }
 
@@ -51,7 +54,7 @@ double lammps_cpu_seconds(const std::string& deck, long steps_per_cycle) {
   std::error_code ignored;
   fs::remove_all(folder, ignored);
   if (status != 0) throw files::failed("lmp", "failed; it ended with:\n" + last_words(screen));
-  return cpu_seconds_of(screen);
+  return cpu_seconds_of_runs(screen).back();
 }
 
 }  // namespace shakebed::bench

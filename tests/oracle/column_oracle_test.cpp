@@ -8,6 +8,7 @@
 
 #include "files/atomic_file.hpp"
 #include "tests/column/physics.hpp"
+#include "tests/oracle/column_deck.hpp"
 #include "tests/oracle/lammps.hpp"
 
 // Beds in a shaken cylinder, grain by grain against LAMMPS' gran/hooke/history: 1000 steps from one
@@ -27,48 +28,11 @@ struct Case {
   int count;
 };
 
-std::string words(const SpringKind& kind) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%.17g %.17g %.17g %.17g %.17g 1", kind.normal_stiffness,
-                kind.tangential_stiffness, kind.normal_rate, kind.tangential_rate, kind.friction);
-  return text;
-}
-
 void write_deck(const std::filesystem::path& folder, const Case& one, const LinearColumn& physics,
                 const SizedGrains& grains) {
-  std::ofstream data(folder / "bed.data");
-  data.precision(17);
-  data << "bed\n\n"
-       << grains.count() << " atoms\n1 atom types\n\n"
-       << "-50 50 xlo xhi\n-50 50 ylo yhi\n-50 200 zlo zhi\n\nAtoms # sphere\n\n";
-  for (std::size_t i = 0; i < grains.count(); ++i) {
-    const double volume = std::numbers::pi / 6 * std::pow(2 * grains.radius[i], 3);
-    const auto x = row(grains.position, i);
-    data << i + 1 << " 1 " << 2 * grains.radius[i] << ' ' << grains.mass[i] / volume << ' ' << x[0]
-         << ' ' << x[1] << ' ' << x[2] << '\n';
-  }
-  data << "\nVelocities\n\n";
-  for (std::size_t i = 0; i < grains.count(); ++i) {
-    const auto v = row(grains.velocity, i);
-    const auto w = row(grains.spin, i);
-    data << i + 1;
-    for (int c = 0; c < 3; ++c) data << ' ' << v[c];
-    for (int c = 0; c < 3; ++c) data << ' ' << w[c];
-    data << '\n';
-  }
+  write_data(folder / "bed.data", grains);
   std::ofstream deck(folder / "deck.in");
-  deck.precision(17);
-  const double period = physics.time_step * static_cast<double>(physics.steps_per_cycle);
-  const double A = physics.base.amplitude;
-  const auto wiggle = [&](std::ostream& out) { out << " wiggle z " << A << ' ' << period << '\n'; };
-  deck << "units lj\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
-          "read_data bed.data\npair_style gran/hooke/history "
-       << words(one.grain) << "\npair_coeff * *\nneighbor 0.3 bin\ntimestep " << physics.time_step
-       << "\nfix gravity all gravity 1 vector 0 0 -1\nfix move all nve/sphere\n"
-       << "fix base all wall/gran hooke/history " << words(one.wall) << " zplane " << -A << " NULL";
-  wiggle(deck);
-  deck << "fix side all wall/gran hooke/history " << words(one.wall) << " zcylinder " << one.radius;
-  wiggle(deck);
+  write_deck_head(deck, physics, one.grain, one.wall, one.radius, 0.3);
   deck << "dump d all custom " << steps
        << " out.txt id x y z vx vy vz omegax omegay omegaz\n"
           "dump_modify d sort id format float %.17g\nthermo 1000\nrun "
