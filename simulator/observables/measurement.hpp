@@ -27,7 +27,10 @@ class Measurement {
   template <class GrainState>
   void sample(const GrainState& grains) {
     temperature_.sample(grains);
-    const BaseState origin = next_origin();
+    // A grain moves 0.4 A from one sixteenth of a cycle to the next: in boxes of depth d there is
+    // nothing to learn between them, and profiles are the dear part of a sample.
+    if (++sampled_phases_ % (phases_per_cycle / profile_phases) != 0) return;
+    const BaseState origin = origin_now();
     profile_.sample(grains, origin);
     if (instant_profile_) instant_profile_->sample(grains, origin);
   }
@@ -52,12 +55,14 @@ class Measurement {
   static constexpr std::size_t lab = D, height = 2 * D, base_power = 2 * D + 1,
                                dissipation_power = 2 * D + 2;
 
-  /// Where profiles are taken from at the next of the cycle's equal phases, 1/n, 2/n, ... 1.
-  BaseState next_origin() {
+  static constexpr long profile_phases = 16;
+
+  /// Where profiles are taken from at the present one of the cycle's equal phases, 1/n, 2/n, ... 1.
+  BaseState origin_now() const {
     const bool rises = scene_.base.direction == DriveDirection::z;
     if (!rises || scene_.protocol.profile.frame == Scene::ProfileChoice::Frame::lab) return {0, 0};
     const auto& drive = scene_.base.drive;
-    const double phase = static_cast<double>(++sampled_phases_) / phases_per_cycle;
+    const double phase = static_cast<double>(sampled_phases_) / phases_per_cycle;
     return BaseMotion{drive.amplitude, drive.peak_velocity()}.at(phase);
   }
 
@@ -71,7 +76,7 @@ class Measurement {
 
   Scene scene_;
   double rest_height_;
-  int sampled_phases_ = 0;  ///< of this cycle, when the base's frame is asked for
+  int sampled_phases_ = 0;  ///< of this cycle
   TemperatureSums<D> temperature_;
   HeightProfile<D> profile_;
   std::optional<HeightProfile<D>> instant_profile_;  ///< when the scene asks for it

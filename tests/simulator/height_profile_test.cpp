@@ -75,6 +75,25 @@ TEMPLATE_TEST_CASE_SIG("profile: the cap formula is the integral over sections",
   CHECK(simulator::part_below<D>(0.5) == Approx(1));
 }
 
+// One grain between two boxes: the part above the border by the cap formula, which the profile
+// reads off a table in two dimensions.
+TEMPLATE_TEST_CASE_SIG("profile: a grain is shared out by the cap formula", "", ((int D), D), 2,
+                       3) {
+  constexpr double area = 7;
+  const double whole = D == 3 ? std::numbers::pi / 6 : std::numbers::pi / 4;
+  for (const double above : {-0.4999, -0.37, -0.1, 0.0, 0.0123, 0.25, 0.499}) {
+    HeightProfile<D> profile(0, area);
+    profile.sample(grains_at<D>({5 + above}, {0}));
+    profile.end_cycle();
+    const auto summary = profile.summarise();
+    const auto& phi = column(summary.profile, "phi").mean;
+    const double below = simulator::part_below<D>(-above);
+    REQUIRE(phi.size() >= 5);
+    CHECK(phi[4] * area / whole == Approx(below).margin(1.01e-5));
+    if (phi.size() > 5) CHECK(phi[5] * area / whole == Approx(1 - below).margin(1.01e-5));
+  }
+}
+
 // Wherever grains are, sum of phi over boxes x (box area x 1 d) is the grains' volume, and the
 // boxes hold each centre once.
 TEMPLATE_TEST_CASE_SIG("profile: counts sum to the grains, phi to their volume", "", ((int D), D),
