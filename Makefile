@@ -19,7 +19,7 @@ else ifeq ($(PROFILE),standard)
 else
   $(error PROFILE is quick, standard (of sun2006) or paper, not "$(PROFILE)")
 endif
-with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016 bhateja2016-% sun2006 sun2006-%,$1),$(suffix))
+with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016 bhateja2016-% sun2006 sun2006-% trade trade-bias trade-pareto trade-orders-table,$1),$(suffix))
 
 sources = $(shell git ls-files -- '*.cpp' '*.hpp')
 
@@ -47,6 +47,14 @@ $(PRESETS:%=test-%): test-%: build/%/.configured
 .PHONY: bench
 bench: build/bench/.configured  ## speed, as ratios to what runs beside it
 	cmake --build --preset bench --target run-bench
+
+.PHONY: trade
+trade: build/release/.configured  ## what accuracy costs: bias and CPU time of every numerical setting
+	cmake --build --preset release --target $(call with_profile,$@)
+
+.PHONY: extremes
+extremes: build/release/.configured  ## scenes at the ends of every range, run to failure
+	cmake --build --preset release --target $@
 
 .PHONY: refit
 refit: build/release/.configured  ## refit and replot everything from data/, without running a bed

@@ -80,9 +80,14 @@ void add_check(CLI::App& app, Action& action) {
   auto* schema = check->add_flag("--schema", options->schema,
                                  "Print the JSON schema of scenes instead, for editors");
   keys->excludes(schema);
+  check
+      ->add_flag("--accuracy", options->accuracy,
+                 "Print what `accuracy` promises and the settings it chooses instead")
+      ->excludes(keys)
+      ->excludes(schema);
   check->parse_complete_callback([scene, options] {
-    if (scene->count() == 0 && !options->keys && !options->schema) {
-      throw CLI::RequiredError("SCENE (or one of --keys, --schema)");
+    if (scene->count() == 0 && !options->keys && !options->schema && !options->accuracy) {
+      throw CLI::RequiredError("SCENE (or one of --keys, --schema, --accuracy)");
     }
   });
 }
@@ -164,6 +169,73 @@ void add_sweep(CLI::App& app, Action& action) {
   series->add_option("--from", series_options->from, "First cycle")->type_name("T");
   series->add_option("--to", series_options->to, "Last cycle")->type_name("T");
   add_sweep_networks(*sweep, action);
+}
+
+void add_trade(CLI::App& app, Action& action) {
+  auto* trade = app.add_subcommand(
+      "trade", "What accuracy costs: bias and CPU time of a bed under every numerical setting");
+  auto options = options_of(trade, action, &trade_command);
+  auto* scenes = trade->add_option("SCENE", options->scenes, "Scenes (YAML); one table for all");
+  scenes->type_name("FILE");
+  add_set(trade, options->set);
+  trade
+      ->add_option("--profile", options->profile,
+                   "quick: few settings, rough errors; shipped: all, as long as the scene measures")
+      ->capture_default_str()
+      ->type_name("NAME");
+  trade
+      ->add_option("--cache", options->cache,
+                   "Folder of finished runs; else $SHAKEBED_CACHE, else build/cache")
+      ->type_name("DIR");
+  trade->add_option("--jobs", options->jobs, "Beds simulated at once; 0: one a core")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str()
+      ->type_name("N");
+  trade
+      ->add_option("--rounds", options->rounds,
+                   "Rounds of timing; all settings are timed once in each, and the least counts")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str()
+      ->type_name("N");
+  trade->add_option("--csv", options->csv, "Write the table here")->type_name("FILE");
+  auto* bounds = trade->add_option("--bounds", options->bounds,
+                                   "Run nothing: from such a table, the settings that `accuracy` "
+                                   "chooses from, with bounds on their bias");
+  bounds->type_name("FILE")->excludes(scenes);
+  trade->add_option("--laws", options->laws, "With --bounds: write each scene's bias law here")
+      ->type_name("FILE")
+      ->needs(bounds);
+  auto* verify = trade->add_option("--verify", options->verify,
+                                   "Run nothing: how many runs of this table (scene, asked, T_z) "
+                                   "kept their promise");
+  verify->type_name("FILE")->excludes(scenes)->excludes(bounds);
+  auto* references = trade->add_option("--references", options->references,
+                                       "With --verify: the same scenes, converged");
+  references->type_name("FILE")->needs(verify);
+  verify->needs(references);
+  trade->parse_complete_callback([scenes, bounds, verify] {
+    if (scenes->count() + bounds->count() + verify->count() == 0) {
+      throw CLI::RequiredError("SCENE (or --bounds, --verify)");
+    }
+  });
+}
+
+void add_extremes(CLI::App& app, Action& action) {
+  auto* extremes = app.add_subcommand(
+      "extremes", "Run a list of extreme scenes: which are right, which say that they are not");
+  auto options = options_of(extremes, action, &extremes_command);
+  extremes->add_option("LIST", options->list, "List of scenes (YAML)")
+      ->required()
+      ->type_name("FILE");
+  extremes
+      ->add_option("--cache", options->cache,
+                   "Folder of finished runs; else $SHAKEBED_CACHE, else build/cache")
+      ->type_name("DIR");
+  extremes->add_option("--jobs", options->jobs, "Beds simulated at once; 0: one a core")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str()
+      ->type_name("N");
+  extremes->add_option("--csv", options->csv, "Write the table here")->type_name("FILE");
 }
 
 void add_fit(CLI::App& app, Action& action) {
@@ -303,6 +375,8 @@ int dispatch(int argc, char** argv) {
   add_run(app, action);
   add_check(app, action);
   add_sweep(app, action);
+  add_trade(app, action);
+  add_extremes(app, action);
   add_fit(app, action);
   add_figure(app, action);
   add_claims(app, action);

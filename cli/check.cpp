@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <string>
 
+#include "cli/check_accuracy.hpp"
 #include "cli/check_column.hpp"
 #include "cli/commands.hpp"
 #include "cli/overrides.hpp"
@@ -146,6 +147,11 @@ void print_numerics(const Scene& scene, const Parameters& parameters) {
                         " rad; largest overlap to expect about " +
                         rounded(expected_largest_overlap(scene, parameters)) +
                         " d (2 V_p sqrt(m/k_n) + N m g/k_n)");
+  if (const auto& accuracy = scene.accuracy) {
+    line("accuracy", "T_z to " + two_digits(100 * accuracy->asked) + " % (95 %): bias at most " +
+                         two_digits(100 * accuracy->bias_bound) +
+                         " % by these settings, the rest is noise");
+  }
   const long transient = protocol.transient.value_or(simulator::automatic_transient(scene));
   line("protocol", (protocol.settle ? "settle for " + rounded(*protocol.settle) + " sqrt(d/g)"
                                     : std::string("settle until at rest")) +
@@ -171,6 +177,8 @@ void print_scene(const std::string& name, const Scene& scene) {
 int check_command(const CheckOptions& options) {
   if (options.keys) {
     std::fputs(simulator::scene_keys_markdown().c_str(), stdout);
+  } else if (options.accuracy) {
+    std::fputs(accuracy_markdown().c_str(), stdout);
   } else if (options.schema) {
     std::fputs(scene_json_schema().c_str(), stdout);
   } else {

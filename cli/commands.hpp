@@ -24,6 +24,7 @@ struct CheckOptions {
   bool keys = false;                         ///< print the table of scene keys instead
   bool schema = false;                       ///< print the JSON schema instead
   std::optional<std::filesystem::path> csv;  ///< a container's contacts by kind go here too
+  bool accuracy = false;                     ///< print what `accuracy` promises instead
 };
 int check_command(const CheckOptions& options);
 
@@ -46,6 +47,29 @@ int sweep_collect_command(const SweepOptions& options);
 int sweep_snapshots_command(const SweepOptions& options);
 int sweep_series_command(const SweepOptions& options);
 int sweep_networks_command(const SweepOptions& options);
+
+struct TradeOptions {
+  std::vector<std::filesystem::path> scenes;
+  std::vector<std::string> set;
+  std::string profile = "quick";
+  std::optional<std::filesystem::path> cache;       ///< else SHAKEBED_CACHE, else build/cache
+  int jobs = 0;                                     ///< 0: all cores
+  int rounds = 3;                                   ///< of timing
+  std::optional<std::filesystem::path> bounds;      ///< compute bounds from this table instead
+  std::optional<std::filesystem::path> verify;      ///< runs whose promises to check instead
+  std::optional<std::filesystem::path> references;  ///< with `verify`
+  std::optional<std::filesystem::path> laws;        ///< with `bounds`: the bias laws go here
+  std::optional<std::filesystem::path> csv;
+};
+int trade_command(const TradeOptions& options);
+
+struct ExtremesOptions {
+  std::filesystem::path list;
+  std::optional<std::filesystem::path> cache;  ///< else SHAKEBED_CACHE, else build/cache
+  int jobs = 0;                                ///< 0: all cores
+  std::optional<std::filesystem::path> csv;
+};
+int extremes_command(const ExtremesOptions& options);
 
 struct FitOptions {
   std::filesystem::path fit;

@@ -9,6 +9,7 @@
 #include "cli/overrides.hpp"
 #include "cli/run_json.hpp"
 #include "files/atomic_file.hpp"
+#include "simulator/scene/accuracy.hpp"
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/simulate.hpp"
 #include "sweeps/stop_signals.hpp"
@@ -41,6 +42,20 @@ void print_summary(const simulator::Record& record) {
               record.stationary_reason.c_str());
 }
 
+/// What was promised, what was reached, and what of it is bias and what noise.
+void say_accuracy(const simulator::ReachedAccuracy& reached) {
+  if (reached.at_rest) {
+    std::fprintf(stderr, "shakebed: accuracy: at rest, T_z/(m V_p^2) < 1e-6\n");
+    return;
+  }
+  std::fprintf(
+      stderr,
+      "shakebed: accuracy: T_z to %.2g %% (bias at most %.2g %%, noise %.2g %%, together a "
+      "95 %% bound); %.2g %% was asked for%s\n",
+      100 * reached.reached(), 100 * reached.bias_bound, 100 * reached.noise, 100 * reached.asked,
+      reached.met() ? "" : ": NOT met, raise measure.at_most");
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
@@ -67,7 +82,11 @@ int run_command(const RunOptions& options) {
                                   sweeps::store::provenance_of_this_program());
   }
   if (options.json) {
-    const auto text = run_json(record, process_cpu_seconds()).dump(2) + "\n";
+    auto json = run_json(record, process_cpu_seconds());
+    if (const auto reached = simulator::reached_accuracy(scene, record)) {
+      json["accuracy"] = accuracy_json(*reached);
+    }
+    const auto text = json.dump(2) + "\n";
     if (*options.json == "-") {
       std::fputs(text.c_str(), stdout);
     } else {
@@ -75,6 +94,7 @@ int run_command(const RunOptions& options) {
     }
   }
   if (!options.json || *options.json != "-") print_summary(record);
+  if (const auto reached = simulator::reached_accuracy(scene, record)) say_accuracy(*reached);
   for (const auto& warning : record.warnings) {
     std::fprintf(stderr, "shakebed: warning: %s\n", warning.c_str());
   }

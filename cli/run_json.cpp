@@ -83,4 +83,13 @@ Json run_json(const simulator::Record& record, double process_cpu_seconds) {
   return json;
 }
 
+nlohmann::ordered_json accuracy_json(const simulator::ReachedAccuracy& reached) {
+  return {{"quantity", "T_z"},
+          {"asked", reached.asked},
+          {"bias_bound", reached.bias_bound},
+          {"noise", number(reached.noise)},
+          {"reached", number(reached.reached())},
+          {"met", reached.met()}};
+}
+
 }  // namespace shakebed::cli

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "simulator/record.hpp"
+#include "simulator/scene/accuracy.hpp"
 
 namespace shakebed::cli {
 
@@ -14,5 +15,9 @@ namespace shakebed::cli {
 /// with the uniform engine), cpu_seconds, cpu_seconds_measuring, stationary, stationary_reason,
 /// at_rest, warnings. Numbers that could not be estimated are null.
 nlohmann::ordered_json run_json(const simulator::Record& record, double process_cpu_seconds);
+
+/// The additional key `accuracy` of scenes that ask for one: asked, bias_bound, noise and reached
+/// as shares of T_z, met.
+nlohmann::ordered_json accuracy_json(const simulator::ReachedAccuracy& reached);
 
 }  // namespace shakebed::cli

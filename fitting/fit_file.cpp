@@ -56,7 +56,8 @@ void read_shared(const Entry& entry, DataSpecification& data) {
     for (const auto& one : list->elements()) data.rows.exclude.push_back(read_exclusion(one));
   }
   if (const auto least = entry.find("minimum_stationary")) {
-    data.rows.minimum_stationary = share(*least);
+    // 0 takes every row: where what is not stationary is what is measured.
+    data.rows.minimum_stationary = least->as_string() == "0" ? 0 : share(*least);
   }
   data.y = entry.at("y").as_string();
   data.y_error = data.y + "_se";

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "files/csv.hpp"
+#include "simulator/scene/accuracy.hpp"
 #include "simulator/scene/column.hpp"
+#include "simulator/scene/warnings.hpp"
 
 namespace shakebed::simulator {
 
@@ -236,6 +238,24 @@ void read_snapshots(SceneValues& values, Scene& scene) {
   }
 }
 
+/// Grains that sink half a diameter into each other still have a temperature, of no granular bed.
+void check_softness(SceneValues& values, Scene& scene) {
+  if (!scene.contact.stiffness || scene.cell.empty() || scene.grains.count == 0) return;
+  const double overlap = expected_largest_overlap(scene, bind_parameters(scene));
+  const bool soft = overlap > meaningless_overlap;
+  if (soft && !values.boolean("contact.allow_soft").value_or(false)) {
+    values.report("contact.stiffness",
+                  "`contact.stiffness`: overlaps of about " +
+                      number_text(std::round(100 * overlap) / 100) +
+                      " d are to be expected; write at least " +
+                      number_text(std::round(automatic_stiffness(scene) / 100)) +
+                      " (`auto` would take " + number_text(std::round(automatic_stiffness(scene))) +
+                      "), or allow_soft: true beside it");
+  }
+  // Said of hard grains the permission changes nothing, so it is not part of the bed.
+  scene.contact.allow_soft = soft;
+}
+
 void read_gravity(SceneValues& values, Scene& scene) {
   scene.gravity = values.number("gravity").value_or(1);
   if (scene.gravity != 0 && scene.gravity != 1) {
@@ -286,6 +306,8 @@ Scene scene_from(SceneValues& values) {
   read_snapshots(values, scene);
   check_engine(values, scene);
   if (contained) read_column(values, scene, diameter_mm);
+  if (!contained) check_softness(values, scene);
+  read_accuracy(values, scene);
   scene.seed = static_cast<std::uint64_t>(values.integer("seed").value_or(1));
   return scene;
 }

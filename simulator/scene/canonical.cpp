@@ -112,6 +112,7 @@ std::string canonical_yaml(const Scene& scene) {
   text += walls_text(scene);
   text += "contact:\n  normal: linear_spring_dashpot\n  stiffness: ";
   text += scene.contact.stiffness ? number_text(*scene.contact.stiffness) : "auto";
+  if (scene.contact.allow_soft) text += "\n  allow_soft: true";
   text += "\n  tangential:" + tangential_text(scene.contact);
   text += protocol_text(scene.protocol);
   text += "seed: " + std::to_string(scene.seed) + "\n";

@@ -8,6 +8,7 @@
 
 #include "files/csv.hpp"
 #include "simulator/contact/column_parameters.hpp"
+#include "simulator/scene/warnings.hpp"
 
 namespace shakebed::simulator {
 namespace {
@@ -30,7 +31,8 @@ constexpr std::array only_in_container{"grains.sizes",
                                        "protocol.time_step.value",
                                        "protocol.contact_velocities",
                                        "protocol.snapshots.from_cycle"};
-constexpr std::array not_in_container{"cell",
+constexpr std::array not_in_container{"contact.allow_soft",
+                                      "cell",
                                       "cell_mm",
                                       "grains.layers",
                                       "grains.restitution",
@@ -153,6 +155,21 @@ void read_springs(SceneValues& values, Scene& scene) {
                  values.number(wall + ".gamma_t").value_or(column.grain.tangential_rate), mu_wall};
 }
 
+/// The large grain sinks in by its weight, M g/k_n, and by its blow, 2 V_p sqrt(M/k_n).
+void check_large_overlap(SceneValues& values, const Scene& scene) {
+  const ColumnScene& column = *scene.column;
+  if (!column.has_large || values.refused("contact.stiffness")) return;
+  const double mass = column.large_density * std::pow(column.large_diameter, 3);
+  const double k_n = std::min(column.grain.normal_stiffness, column.wall.normal_stiffness);
+  const double overlap = mass / k_n + 2 * scene.base.drive.peak_velocity() * std::sqrt(mass / k_n);
+  if (overlap <= meaningless_overlap) return;
+  values.report("grains.large", "a large grain of " + three_digits(mass) + " m sinks about " +
+                                    three_digits(overlap) +
+                                    " d into its neighbours at k_n = " + three_digits(k_n) +
+                                    " m g/d; at most " + three_digits(meaningless_overlap) +
+                                    " d means anything: make it lighter or the contacts stiffer");
+}
+
 void read_time_step(SceneValues& values, Scene& scene) {
   ColumnScene& column = *scene.column;
   column.time_step = values.number("protocol.time_step.value");
@@ -260,6 +277,7 @@ void read_column(SceneValues& values, Scene& scene, std::optional<double> diamet
   scene.protocol.until.reset();
   scene.grains.count = static_cast<int>(values.integer("grains.count").value_or(1));
   scene.grains.layers = scene.grains.count / scene.cell_area();
+  check_large_overlap(values, scene);
   read_time_step(values, scene);
   read_snapshots_of_column(values, scene);
 }

@@ -128,6 +128,9 @@ const std::vector<Key>& table() {
       {"contact.stiffness", number, "m g/d", from_to(1, 1e15), {"auto"}, false, "auto",
        "k_n of every contact; auto: 2e4 max(1, N/4) max(m V_p^2/min(A, d)^2, m g/d), for overlaps "
        "of about 1 % of d"},
+      {"contact.allow_soft", boolean, "", any_value, {}, false, "false",
+       "accept a k_n so small that overlaps of half a diameter are to be expected, where "
+       "temperatures look plausible and mean nothing"},
       {"contact.tangential", word, "", any_value, {"frictionless"}, false,
        "viscous_coulomb with damping c_n if any friction is set, else frictionless",
        "frictionless, or a map with the keys below"},
@@ -149,6 +152,13 @@ const std::vector<Key>& table() {
        "b of a drag on the slip (v - v_container)/(1 - phi) against the air; in a container"},
       {"drag.air_packing_fraction", number, "1", from_to(0, 0.75), {}, false, "0.6",
        "phi, for the whole bed"},
+
+      {"accuracy", word, "", any_value, {"draft", "standard", "reference"}, false,
+       "as the protocol says",
+       "time step, k_n (unless given) and measuring rule from the measured trade of accuracy against "
+       "time; a word, or a map with the key below"},
+      {"accuracy.T_z", percent, "%", above_up_to(0, 50), {}, false, "",
+       "95 % bound on the whole error of T_z, bias and noise; the cheapest settings are taken"},
 
       {"protocol.prepare.frequency", number, "sqrt(g/d)", positive, {}, false, "1.5",
        "of the shaking that packs a bed in a container before the run"},

@@ -25,10 +25,15 @@ Paths replaced_by(std::string_view path) {
     if (path == one) return {other};
     if (path == other) return {one};
   }
-  if (path == "protocol.measure.cycles") return {until, "protocol.measure.at_most"};
-  if (path == until) return {"protocol.measure.cycles"};
+  if (path == "accuracy" || path.starts_with("accuracy.")) {
+    return {"protocol.measure.cycles", until, "protocol.time_step", "protocol.engine",
+            "protocol.contacts"};
+  }
+  if (path == "protocol.measure.cycles") return {until, "protocol.measure.at_most", "accuracy"};
+  if (path == until) return {"protocol.measure.cycles", "accuracy"};
+  if (path.starts_with("protocol.time_step")) return {"accuracy"};
   if (path.starts_with(until + ".")) {
-    Paths others{"protocol.measure.cycles"};
+    Paths others{"protocol.measure.cycles", "accuracy"};
     for (const auto& name : scene_keys_under(until)) {
       if (path != until + "." + name) others.push_back(until + "." + name);
     }

@@ -105,6 +105,7 @@ struct Scene {
   struct Contact {
     NormalLaw normal = NormalLaw::linear_spring_dashpot;
     std::optional<double> stiffness;  ///< k_n [m g/d]; empty: from the overlap target
+    bool allow_soft = false;          ///< accept expected overlaps above half a diameter
     TangentialLaw tangential = TangentialLaw::frictionless;
     TangentialDamping damping = TangentialDamping::as_normal;
     double damping_value = 0;  ///< c_t [m sqrt(g/d)] when damping is a number
@@ -141,6 +142,13 @@ struct Scene {
       long from_cycle = 0;  ///< in a container: the first cycle that has them
     } snapshots;
   } protocol;
+
+  /// What `accuracy` asked for; the settings it chose stand in protocol and contact.
+  struct Accuracy {
+    double asked;       ///< 95 % bound on the error of T_z, as a share
+    double bias_bound;  ///< of which the settings chosen may take this
+  };
+  std::optional<Accuracy> accuracy;
 
   std::uint64_t seed = 1;
 

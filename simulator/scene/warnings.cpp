@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "simulator/scene/accuracy.hpp"
+
 namespace shakebed::simulator {
 
 namespace {
@@ -14,6 +16,14 @@ constexpr double coarse_fraction = 0.1;  // dt/t_c
 constexpr double step_bias = -1.68;
 constexpr double large_overlap = 0.05;  // d
 constexpr double soft_angle = 0.1;      // rad
+
+/// Bound on the bias of T_z that k_n of `auto` leaves; it goes as k_n^(-1/2).
+double bias_of_automatic_stiffness() {
+  for (const auto& setting : accuracy_table().stiffness) {
+    if (setting.value == 1) return setting.bias_bound;
+  }
+  return 0;
+}
 
 std::string rounded(double value) {
   char text[32];
@@ -44,9 +54,18 @@ std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& pa
          rounded(100 * step_bias * fraction * fraction) +
          " % (measured on rough 3D beds); 0.02 is the default");
   }
+  if (scene.accuracy) {
+    if (const auto why = outside_calibration(scene); !why.empty()) {
+      warn("the bounds behind `accuracy` were not measured on such beds: " + why +
+           "; take them as a guess");
+    }
+  }
   if (const double overlap = expected_largest_overlap(scene, parameters); overlap > large_overlap) {
+    const double softness = std::sqrt(automatic_stiffness(scene) / parameters.stiffness);
     warn("overlaps up to about " + rounded(overlap) +
-         " d are to be expected; hard grains need a larger contact.stiffness");
+         " d are to be expected; T_z may be off that of hard grains by up to " +
+         rounded(100 * bias_of_automatic_stiffness() * softness) +
+         " % (measured for overlaps below 0.05 d); hard grains need a larger contact.stiffness");
   }
   const double advised = automatic_stiffness(scene);
   if (const auto k_n = scene.contact.stiffness;
@@ -77,6 +96,12 @@ std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& pa
       cycles && static_cast<double>(*cycles) < 30 * flight && !scene.never_thrown()) {
     warn(std::to_string(*cycles) + " measured cycles are few: 30 flights of the bed take about " +
          rounded(std::ceil(30 * flight)) + ", so standard errors will be rough");
+  }
+  if (const long most = scene.protocol.at_most;
+      scene.protocol.until && !scene.never_thrown() && static_cast<double>(most) < 30 * flight) {
+    warn("at_most = " + std::to_string(most) +
+         " cycles are few: 30 flights of the bed take about " + rounded(std::ceil(30 * flight)) +
+         ", so standard errors will be rough");
   }
   return warnings;
 }

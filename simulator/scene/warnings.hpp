@@ -14,6 +14,9 @@ namespace shakebed::simulator {
 /// An estimate: in a deep bed the impact of the whole column reaches further.
 double expected_largest_overlap(const Scene& scene, const Parameters& parameters);
 
+/// Above this [d] a scene is refused unless it says allow_soft.
+inline constexpr double meaningless_overlap = 0.5;
+
 /// omega t_c [rad], t_c the longer of the contact durations: the share of the drive's cycle that
 /// one contact takes. Above about 0.1 the bed feels the softness of its contacts.
 double drive_angle_in_contact(const Scene& scene, const Parameters& parameters);

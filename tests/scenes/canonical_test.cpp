@@ -30,6 +30,7 @@ class RandomScenes {
         {"base.drive.amplitude", between(0.01, 5)},
         {chance() ? "base.drive.W" : "base.drive.frequency", between(0.1, 100)},
         {"contact.stiffness", chance() ? "auto" : between(1e3, 1e9)},
+        {"contact.allow_soft", "true"},
         {"contact.tangential", "{law: viscous_coulomb, damping: " + damping() + "}"},
         {"protocol.settle", chance() ? "auto" : between(0, 100)},
         {"protocol.engine", pick({"auto", "uniform", "events"})},
@@ -49,7 +50,7 @@ class RandomScenes {
       keys.push_back({"side_walls.restitution", between(0.01, 1)});
       keys.push_back({"base.moves_along", pick({"x", "z"})});
     }
-    const bool walled = keys.size() > 17;
+    const bool walled = keys.size() > 18;
     if (walled) keys.push_back({"protocol.engine", pick({"auto", "uniform"})});
     if (chance()) {
       keys.push_back({"protocol.snapshots.phases", "[" + between(0.5, 1) + ", 0]"});

@@ -31,7 +31,7 @@ const std::string smooth = "'" SHAKEBED_SOURCE_FOLDER "/scenes/smooth_2d.yaml'";
 
 TEST_CASE("Help and version are fine, in every subcommand") {
   for (const char* command : {"", "run ", "check ", "sweep ", "sweep run ", "sweep status ",
-                              "sweep collect ", "fit ", "figure ", "network ", "export "}) {
+                              "sweep collect ", "trade ", "extremes ", "fit ", "figure ", "network ", "export "}) {
     CAPTURE(command);
     const Outcome help = shakebed(std::string(command) + "--help");
     CHECK(help.code == 0);
@@ -55,7 +55,7 @@ TEST_CASE("Usage faults exit with 2 and say what is wrong") {
       {"run", "SCENE is required"},
       {"run --output", "--output"},
       {"run a.yaml --colour red", "--colour"},
-      {"check", "SCENE (or one of --keys, --schema) is required"},
+      {"check", "SCENE (or one of --keys, --schema, --accuracy) is required"},
       {"check " + rough + " --set W", "expected key=value"},
       {"check --keys --schema", "excludes"},
       {"sweep", "subcommand is required"},

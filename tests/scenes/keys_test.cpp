@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cli/check_accuracy.hpp"
 #include "cli/scene_schema.hpp"
 #include "files/atomic_file.hpp"
 #include "tests/scenes/texts.hpp"
@@ -94,6 +95,11 @@ TEST_CASE("The JSON schema holds every key with its range") {
       node = &(*node)["properties"][name];
     }
   }
+}
+
+TEST_CASE("docs/accuracy.md has the table of promises as it is") {
+  const auto text = files::read_text(std::string(SHAKEBED_SOURCE_FOLDER) + "/docs/accuracy.md");
+  CHECK(text.find(cli::accuracy_markdown()) != std::string::npos);
 }
 
 }  // namespace

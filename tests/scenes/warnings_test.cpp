@@ -38,6 +38,12 @@ TEST_CASE("Each doubtful bed is warned of, its neighbour is not") {
   CHECK_FALSE(warned({{"base.drive.W", "1.01"}}, "stays at rest"));
   CHECK(warned({{"grains.restitution", "1"}}, "heats up"));
   CHECK_FALSE(warned({{"grains.restitution", "1"}, {"base.friction", "0.1"}}, "heats up"));
+  CHECK(warned({{"contact.stiffness", "300"}, {"contact.allow_soft", "true"}}, "T_z may be off"));
+  const std::string until = "protocol.measure.until.T_z";
+  const std::string at_most = "protocol.measure.at_most";
+  // 30 flights of W/pi = 7.12 cycles.
+  CHECK(warned({{until, "1 %"}, {at_most, "213"}}, "at_most = 213 cycles are few"));
+  CHECK_FALSE(warned({{until, "1 %"}, {at_most, "214"}}, "cycles are few"));
   CHECK(warned({{"grains.count", "1"}}, "one grain"));
   CHECK(warned({{"protocol.measure.cycles", "200"}}, "measured cycles are few"));
 }
