@@ -94,28 +94,31 @@ const char* component_name(int dimension, int component) {
 
 template <int D>
 HeightProfile<D>::HeightProfile(double lowest, double area, LocalMean local_mean)
-    : lowest_(lowest), area_(area), local_mean_(local_mean) {}
+    : lowest_(lowest),
+      area_(area),
+      local_mean_(local_mean),
+      stride_(first_of_phases + (local_mean == LocalMean::phase ? phases * (1 + D) : 0)) {}
 
 template <int D>
 void HeightProfile<D>::grow(std::size_t boxes) {
   boxes_ = boxes;
-  current_.resize(boxes_ * stride, 0.0);
-  if (local_mean_ == LocalMean::instant) instant_.resize(boxes_ * stride, 0.0);
+  current_.resize(boxes_ * stride_, 0.0);
+  if (local_mean_ == LocalMean::instant) instant_.resize(boxes_ * stride_, 0.0);
 }
 
 template <int D>
 void HeightProfile<D>::fold_instant() {
   for (std::size_t k = 0; k < boxes_; ++k) {
-    double* here = instant_.data() + k * stride;
+    double* here = instant_.data() + k * stride_;
     const double count = here[0];
     if (count == 0) continue;
-    double* sums = current_.data() + k * stride;
+    double* sums = current_.data() + k * stride_;
     sums[0] += count;
     for (int c = 0; c < D; ++c) {
       const double mean = here[1 + 2 * c] / count;
       if (count >= 2) sums[2 + 2 * c] += here[2 + 2 * c] / count - mean * mean;
     }
-    std::fill(here, here + stride, 0.0);
+    std::fill(here, here + stride_, 0.0);
   }
 }
 
@@ -124,11 +127,11 @@ void HeightProfile<D>::spread_volume(std::size_t box, double offset) {
   // A grain of diameter d in boxes of depth d reaches into one neighbour, above or below.
   const double outside =
       offset > 0 ? 1 - part_below_quickly<D>(0.5 - offset) : part_below_quickly<D>(-0.5 - offset);
-  current_[box * stride + stride - 1] += 1 - outside;
+  current_[box * stride_ + volume] += 1 - outside;
   if (offset > 0) {
-    current_[(box + 1) * stride + stride - 1] += outside;
+    current_[(box + 1) * stride_ + volume] += outside;
   } else if (box > 0) {
-    current_[(box - 1) * stride + stride - 1] += outside;
+    current_[(box - 1) * stride_ + volume] += outside;
   }
 }
 
@@ -157,11 +160,11 @@ void HeightProfile<D>::end_cycle() {
 template <int D>
 double HeightProfile<D>::height_below_which(const Sums& sums, double fraction) const {
   double total = 0;
-  const std::size_t boxes = sums.size() / stride;
-  for (std::size_t k = 0; k < boxes; ++k) total += sums[k * stride];
+  const std::size_t boxes = sums.size() / stride_;
+  for (std::size_t k = 0; k < boxes; ++k) total += sums[k * stride_];
   double below = 0;
   for (std::size_t k = 0; k < boxes; ++k) {
-    const double here = sums[k * stride];
+    const double here = sums[k * stride_];
     if (here > 0 && below + here >= fraction * total) {
       return lowest_ + static_cast<double>(k) + (fraction * total - below) / here;
     }
@@ -173,9 +176,18 @@ double HeightProfile<D>::height_below_which(const Sums& sums, double fraction) c
 template <int D>
 double HeightProfile<D>::local_temperature(const Sums& sums, double samples, std::size_t box,
                                            int component) const {
-  const double* s = sums.data() + box * stride;
+  const double* s = sums.data() + box * stride_;
   if (local_mean_ == LocalMean::instant) return 0.5 * s[2 + 2 * component] / samples;
   if (s[0] < 2) return 0;
+  if (local_mean_ == LocalMean::phase) {
+    double square_of_means = 0;
+    for (std::size_t p = 0; p < phases; ++p) {
+      const double* of_phase = s + first_of_phases + p * (1 + D);
+      const double sum = of_phase[1 + component];
+      if (of_phase[0] > 0) square_of_means += sum * sum / of_phase[0];
+    }
+    return 0.5 * (s[2 + 2 * component] - square_of_means) / s[0];
+  }
   const double mean = s[1 + 2 * component] / s[0];
   return 0.5 * (s[2 + 2 * component] / s[0] - mean * mean);
 }
@@ -185,10 +197,10 @@ std::vector<double> HeightProfile<D>::volume_averages(const Sums& sums, double h
                                                       double samples) const {
   std::vector<double> averages(D + 2, 0.0);
   double grains = 0;
-  for (std::size_t k = 0; k < sums.size() / stride; ++k) {
+  for (std::size_t k = 0; k < sums.size() / stride_; ++k) {
     const double bottom = std::max(lowest_ + static_cast<double>(k), 0.0);
     const double top = std::min(lowest_ + static_cast<double>(k + 1), height);
-    grains += sums[k * stride];
+    grains += sums[k * stride_];
     if (top <= bottom) continue;
     for (int c = 0; c < D; ++c) {
       averages[c] += (top - bottom) * local_temperature(sums, samples, k, c) / height;
@@ -208,7 +220,7 @@ typename HeightProfile<D>::Summary HeightProfile<D>::summarise() const {
   const std::vector<Sums> first = unfinished ? std::vector<Sums>{current_} : std::vector<Sums>{};
   const auto& blocks = unfinished ? first : blocks_;
   const auto samples = unfinished ? std::vector<long>{samples_} : block_samples_;
-  const std::size_t width = boxes_ * stride;
+  const std::size_t width = boxes_ * stride_;
 
   Sums total(width, 0.0);
   for (const auto& block : blocks) {
@@ -220,13 +232,13 @@ typename HeightProfile<D>::Summary HeightProfile<D>::summarise() const {
   const auto local = jackknife(blocks, samples, width, [&](const Sums& sums, double n) {
     std::vector<double> values;
     for (std::size_t k = 0; k < boxes_; ++k) {
-      values.push_back(sums[k * stride] / n);
-      values.push_back(sums[k * stride + stride - 1] / n * grain_size / area_);
+      values.push_back(sums[k * stride_] / n);
+      values.push_back(sums[k * stride_ + volume] / n * grain_size / area_);
       for (int c = 0; c < D; ++c) values.push_back(local_temperature(sums, n, k, c));
     }
     return values;
   });
-  const auto volume = jackknife(blocks, samples, width, [&](const Sums& sums, double n) {
+  const auto averages = jackknife(blocks, samples, width, [&](const Sums& sums, double n) {
     return volume_averages(sums, height_below_which(sums, 0.99), n);
   });
 
@@ -243,8 +255,8 @@ typename HeightProfile<D>::Summary HeightProfile<D>::summarise() const {
       summary.profile.columns[q].standard_error.push_back(local[k * columns + q].standard_error);
     }
   }
-  summary.volume_temperature.assign(volume.begin(), volume.begin() + D + 1);
-  summary.packing_fraction = volume[D + 1];
+  summary.volume_temperature.assign(averages.begin(), averages.begin() + D + 1);
+  summary.packing_fraction = averages[D + 1];
   return summary;
 }
 

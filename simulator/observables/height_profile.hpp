@@ -22,32 +22,39 @@ double part_below(double s);
 ///
 /// The local temperature T_c of a box is m/2 times the variance of its grains' v_c, with the mean
 ///   time:     over all its grains at all times, so that T_c = m(<v_c^2> - <v_c>^2)/2;
+///   phase:    over its grains at one phase of the cycle, in all cycles: motion that the drive
+///             repeats is taken out, T_c = m(<v_c^2> - <<v_c>_phase^2>)/2;
 ///   instant:  over its grains at each instant; the variances of all instants are averaged, and a
 ///             box with fewer than two grains counts as cold.
-/// The second is what a program gets that computes a temperature box by box and averages it in
+/// The last is what a program gets that computes a temperature box by box and averages it in
 /// time. It is lower, by (n - 1)/n with n grains in the box, and vanishes where the bed is dilute.
 template <int D>
 class HeightProfile {
  public:
-  enum class LocalMean { time, instant };
+  enum class LocalMean { time, phase, instant };
+  static constexpr std::size_t phases = 16;  ///< of a cycle, that are told apart
   HeightProfile(double lowest, double area, LocalMean local_mean = LocalMean::time);
 
-  /// Heights and velocities are taken relative to `origin` (the base, or the lab by default).
+  /// Heights and velocities are taken relative to `origin` (the base, or the lab by default);
+  /// `phase` counts from 0 within a cycle.
   template <class GrainState>
-  void sample(const GrainState& grains, const BaseState& origin = {0, 0}) {
+  void sample(const GrainState& grains, const BaseState& origin = {0, 0}, std::size_t phase = 0) {
     constexpr int vertical = Dimension<D>::vertical;
-    Sums& target = local_mean_ == LocalMean::time ? current_ : instant_;
+    Sums& target = local_mean_ == LocalMean::instant ? instant_ : current_;
+    const std::size_t of_phase = first_of_phases + phase * (1 + D);
     for (std::size_t i = 0; i < grains.count(); ++i) {
       const double above = grains.position[vertical][i] - origin.height - lowest_;
       const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
       if (box + 2 > boxes_) grow(box + 2);
-      double* sums = target.data() + box * stride;
+      double* sums = target.data() + box * stride_;
       sums[0] += 1;
       for (int c = 0; c < D; ++c) {
         const double v = grains.velocity[c][i] - (c == vertical ? origin.velocity : 0);
         sums[1 + 2 * c] += v;
         sums[2 + 2 * c] += v * v;
+        if (local_mean_ == LocalMean::phase) sums[of_phase + 1 + static_cast<std::size_t>(c)] += v;
       }
+      if (local_mean_ == LocalMean::phase) sums[of_phase] += 1;
       spread_volume(box, above - static_cast<double>(box) - 0.5);
     }
     if (local_mean_ == LocalMean::instant) fold_instant();
@@ -66,7 +73,9 @@ class HeightProfile {
   Summary summarise() const;
 
  private:
-  static constexpr std::size_t stride = 2 + 2 * D;  ///< count, (v, v^2) per component, volume
+  // Of each box: count, (v, v^2) per component, volume; then count and v per component by phase.
+  static constexpr std::size_t volume = 1 + 2 * D;
+  static constexpr std::size_t first_of_phases = 2 + 2 * D;
   static constexpr std::size_t most_blocks = 32;
   using Sums = std::vector<double>;
 
@@ -80,6 +89,7 @@ class HeightProfile {
   double lowest_;
   double area_;
   LocalMean local_mean_;
+  std::size_t stride_;
   std::size_t boxes_ = 0;
   Sums instant_;  ///< of one sample; `instant` alone
   Sums current_;  ///< of one block; `instant`: variances stand in place of v^2

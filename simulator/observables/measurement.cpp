@@ -49,9 +49,12 @@ Measurement<D>::Measurement(const Scene& scene, double rest_height)
       rest_height_(rest_height),
       profile_(lowest_box(scene), scene.cell_area()),
       series_(observables<D>()) {
-  if (!scene.protocol.profile.instant) return;
-  instant_profile_.emplace(lowest_box(scene), scene.cell_area(),
-                           HeightProfile<D>::LocalMean::instant);
+  using LocalMean = typename HeightProfile<D>::LocalMean;
+  const auto add = [&](const char* suffix, LocalMean mean) {
+    other_profiles_.push_back({suffix, {lowest_box(scene), scene.cell_area(), mean}});
+  };
+  if (scene.protocol.profile.instant) add("_instant", LocalMean::instant);
+  if (scene.protocol.profile.phase) add("_phase", LocalMean::phase);
 }
 
 template <int D>
@@ -62,7 +65,7 @@ void Measurement<D>::end_cycle(const EnergyLedger& ledger) {
   cycle.push_back((ledger.dissipation - last_.dissipation) / period);
   series_.push(cycle);
   profile_.end_cycle();
-  if (instant_profile_) instant_profile_->end_cycle();
+  for (auto& other : other_profiles_) other.profile.end_cycle();
   sampled_phases_ = 0;
   last_ = ledger;
 }
@@ -159,22 +162,23 @@ void Measurement<D>::write_volume_averages(Record& record) const {
 
 /// The same boxes as the profile's, in columns of their own.
 template <int D>
-void Measurement<D>::write_instant_profile(Record& record) const {
-  if (!instant_profile_) return;
-  const auto summary = instant_profile_->summarise();
-  for (const auto& column : summary.profile.columns) {
-    if (!column.name.starts_with("T_")) continue;
-    record.profile.columns.push_back(column);
-    record.profile.columns.back().name += "_instant";
-  }
+void Measurement<D>::write_other_profiles(Record& record) const {
   auto names = component_names<D>();
   names.push_back("T");
   const double v = scene_.base.drive.peak_velocity();
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    const auto& estimate = summary.volume_temperature[c];
-    record.quantities.push_back({names[c] + "_volume_instant", "m g d", estimate});
-    record.quantities.push_back(
-        {names[c] + "_volume_instant_scaled", "m V_p^2", scaled(estimate, 1 / (v * v))});
+  for (const auto& [suffix, profile] : other_profiles_) {
+    const auto summary = profile.summarise();
+    for (const auto& column : summary.profile.columns) {
+      if (!column.name.starts_with("T_")) continue;
+      record.profile.columns.push_back(column);
+      record.profile.columns.back().name += suffix;
+    }
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const auto& estimate = summary.volume_temperature[c];
+      const auto name = names[c] + "_volume" + suffix;
+      record.quantities.push_back({name, "m g d", estimate});
+      record.quantities.push_back({name + "_scaled", "m V_p^2", scaled(estimate, 1 / (v * v))});
+    }
   }
 }
 
@@ -244,7 +248,7 @@ void Measurement<D>::write(Record& record, const EnergyLedger& ledger, double en
   const auto& drive = scene_.base.drive;
   write_temperatures(record);
   write_volume_averages(record);
-  write_instant_profile(record);
+  write_other_profiles(record);
   const auto h_cm = mean_of_series(values_of("h_cm")).estimate;
   record.quantities.push_back({"h_cm", "d", h_cm});
   if (scene_.gravity > 0) {

@@ -32,7 +32,9 @@ class Measurement {
     if (++sampled_phases_ % (phases_per_cycle / profile_phases) != 0) return;
     const BaseState origin = origin_now();
     profile_.sample(grains, origin);
-    if (instant_profile_) instant_profile_->sample(grains, origin);
+    const auto phase = static_cast<std::size_t>(
+        sampled_phases_ * static_cast<long>(HeightProfile<D>::phases) / phases_per_cycle - 1);
+    for (auto& other : other_profiles_) other.profile.sample(grains, origin, phase);
   }
 
   /// Closes a cycle; the ledger's totals are those since measuring began.
@@ -55,7 +57,7 @@ class Measurement {
   static constexpr std::size_t lab = D, height = 2 * D, base_power = 2 * D + 1,
                                dissipation_power = 2 * D + 2;
 
-  static constexpr long profile_phases = 16;
+  static constexpr long profile_phases = HeightProfile<D>::phases;
 
   /// Where profiles are taken from at the present one of the cycle's equal phases, 1/n, 2/n, ... 1.
   BaseState origin_now() const {
@@ -69,7 +71,7 @@ class Measurement {
   std::vector<double> values_of(const std::string& quantity) const;
   void write_temperatures(Record& record) const;
   void write_volume_averages(Record& record) const;
-  void write_instant_profile(Record& record) const;
+  void write_other_profiles(Record& record) const;
   void judge_stationarity(Record& record) const;
   /// A ledger that does not close makes every other number doubtful.
   void check_ledger(Record& record, const EnergyLedger& ledger, double residual) const;
@@ -79,7 +81,12 @@ class Measurement {
   int sampled_phases_ = 0;  ///< of this cycle
   TemperatureSums<D> temperature_;
   HeightProfile<D> profile_;
-  std::optional<HeightProfile<D>> instant_profile_;  ///< when the scene asks for it
+  struct OtherProfile {
+    const char* suffix;
+    HeightProfile<D> profile;
+  };
+  std::vector<OtherProfile>
+      other_profiles_;  ///< with other local means, if the scene asks for them
   CycleSeries series_;
   EnergyLedger last_;
 };

@@ -213,6 +213,7 @@ void read_protocol(SceneValues& values, Scene& scene) {
     protocol.profile.frame = Scene::ProfileChoice::Frame::base;
   }
   protocol.profile.instant = values.boolean("protocol.profile.instant").value_or(false);
+  protocol.profile.phase = values.boolean("protocol.profile.phase").value_or(false);
 }
 
 void read_snapshots(SceneValues& values, Scene& scene) {

@@ -81,9 +81,11 @@ std::string protocol_text(const Scene::Protocol& protocol) {
   text += std::string("  engine: ") + engines[static_cast<int>(protocol.engine)] + "\n";
   text += std::string("  contacts: ") + contacts[static_cast<int>(protocol.contacts)] + "\n";
   const bool in_base_frame = protocol.profile.frame == Scene::ProfileChoice::Frame::base;
-  if (in_base_frame || protocol.profile.instant) text += "  profile:\n";
+  const auto& profile = protocol.profile;
+  if (in_base_frame || profile.instant || profile.phase) text += "  profile:\n";
   if (in_base_frame) text += "    frame: base\n";
-  if (protocol.profile.instant) text += "    instant: true\n";
+  if (profile.instant) text += "    instant: true\n";
+  if (profile.phase) text += "    phase: true\n";
   const auto& snapshots = protocol.snapshots;
   if (!snapshots.phases.empty()) {
     text += "  snapshots:\n    phases: " + list_text(snapshots.phases) + "\n";

@@ -206,6 +206,9 @@ const std::vector<Key>& table() {
       {"protocol.profile.instant", boolean, "", any_value, {}, false, "false",
        "beside local temperatures about a box's mean velocity over all time also those about its "
        "mean at each instant, where a box with fewer than two grains counts as cold"},
+      {"protocol.profile.phase", boolean, "", any_value, {}, false, "false",
+       "and those about its mean at each of 16 phases of the cycle: without the motion that the "
+       "drive repeats"},
       {"protocol.snapshots.phases", numbers, "cycles", Range{0, 1, false, true}, {}, false, "none",
        "phases of the drive at which positions, velocities and contacts are kept; at 0 the base "
        "passes its mean height upwards; [] for none (a container's default is 20 of cycle 10)"},

@@ -121,6 +121,7 @@ struct Scene {
     enum class Frame { lab, base };
     Frame frame = Frame::lab;
     bool instant = false;  ///< local temperatures of instants beside those over all time
+    bool phase = false;    ///< and those about the mean at each phase
   };
 
   struct Protocol {

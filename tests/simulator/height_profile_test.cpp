@@ -189,6 +189,24 @@ TEST_CASE("profile: the local temperature is about the local mean velocity") {
   CHECK(column(result, "T_z").mean[0] == Approx(0.5));
 }
 
+// T = m(<v^2> - <<v>_phase^2>)/2: rising at 3 and 5 at one phase, falling at -2 and -4 at another,
+// deviations are +-1 throughout. About the mean over time they are not.
+TEST_CASE("profile: about the mean at each phase the drive's own motion is not warm") {
+  HeightProfile<3> by_phase(0, 1, HeightProfile<3>::LocalMean::phase);
+  HeightProfile<3> by_time(0, 1);
+  for (auto* profile : {&by_phase, &by_time}) {
+    profile->sample(grains_at<3>({0.5}, {3}), {0, 0}, 2);
+    profile->sample(grains_at<3>({0.5}, {-2}), {0, 0}, 9);
+    profile->end_cycle();
+    profile->sample(grains_at<3>({0.5}, {5}), {0, 0}, 2);
+    profile->sample(grains_at<3>({0.5}, {-4}), {0, 0}, 9);
+    profile->end_cycle();
+  }
+  CHECK(column(by_phase.summarise().profile, "T_z").mean[0] == Approx(0.5));
+  CHECK(column(by_time.summarise().profile, "T_z").mean[0] ==
+        Approx(0.5 * ((9 + 4 + 25 + 16) / 4.0 - 0.25)));
+}
+
 // Of two instants with speeds (1, 3) and one with a lone grain: variances 1, 1 and none, so
 // T = (1 + 1 + 0)/(2 * 3); about the mean over time the same grains have another one.
 TEST_CASE("profile: a temperature box by box and instant by instant counts lone grains as cold") {
