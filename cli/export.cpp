@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "cli/commands.hpp"
+#include "cli/lammps_column_deck.hpp"
 #include "cli/lammps_deck.hpp"
 #include "cli/overrides.hpp"
 #include "files/atomic_file.hpp"
@@ -14,14 +15,10 @@ int export_command(const ExportOptions& options) {
                            "expected lammps-deck, the one format there is");
   }
   const auto scene = simulator::read_scene(options.scene, parse_overrides(options.set));
-  if (scene.column) {
-    throw files::bad_input(options.scene.string(),
-                           "LAMMPS decks are written for periodic beds only; this scene has a "
-                           "container");
-  }
   std::string name = options.scene.filename().string();
   for (const auto& setting : options.set) name += " --set " + setting;
-  const std::string deck = lammps_deck(scene, name);
+  const std::string deck =
+      scene.column ? lammps_column_deck(scene, name) : lammps_deck(scene, name);
   if (options.output) {
     files::write_text(*options.output, deck);
   } else {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/lammps_column_deck.hpp"
 #include "cli/lammps_deck.hpp"
 #include "simulator/contact/parameters.hpp"
 #include "simulator/scene/read_scene.hpp"
@@ -127,4 +128,57 @@ TEST_CASE("Every grain starts inside the cell, and none touches another or the b
       CHECK(r2 > 1);
     }
   }
+}
+
+namespace {
+
+simulator::Scene column(const std::string& normal = "linear_spring_dashpot",
+                        const std::string& more = "") {
+  const auto root = files::YamlNode::load_text(
+      "scene: 1\ndimension: 3\ncontainer: {cylinder: {diameter: 6}, wall: {friction: 0.4, gamma_t: "
+      "20}}\ngrains: {count: 30, friction: 0.5, sizes: [0.9, 1.1], large: {diameter: 2, "
+      "density_ratio: 7}}\nbase: {drive: {frequency: 0.1, amplitude: 7.5}}\ncontact: {normal: " +
+          normal +
+          ", stiffness: 2e5, gamma_n: 40, tangential: {law: cundall_strack}}\n"
+          "protocol: {measure: {cycles: 2}}\n" +
+          more,
+      "test");
+  return simulator::read_scene(root);
+}
+
+}  // namespace
+
+TEST_CASE("A deck of a bed in a cylinder has its springs, walls, grains and drag") {
+  const std::string deck = cli::lammps_column_deck(
+      column("linear_spring_dashpot", "drag: {background: 0.24}\n"), "test");
+  // The first pair_style is without friction; the last is the scene's.
+  CHECK(words_after(deck, "pair_style gran/hooke/history ")[4] == "0");
+  const auto last = deck.rfind("\npair_style gran/hooke/history ");
+  const auto pair = words_after(deck.substr(last), "pair_style gran/hooke/history ");
+  CHECK(std::stod(pair[0]) == 2e5);
+  CHECK(std::stod(pair[1]) == Approx(2e5 * 2 / 7));
+  CHECK(pair[2] == "40");
+  CHECK(pair[3] == "0");
+  CHECK(pair[4] == "0.5");
+  const auto side =
+      words_after(deck.substr(deck.rfind("\nfix side")), "fix side all wall/gran hooke/history ");
+  CHECK(side[3] == "20");
+  CHECK(side[4] == "0.4");
+  CHECK(side[6] == "zcylinder");
+  CHECK(side[7] == "3");
+  CHECK(side[8] == "wiggle");
+  CHECK(words_after(deck, "fix drag all viscous ")[0] == "0.24");
+  const auto large = words_after(deck, "set atom 1 diameter ");
+  CHECK(std::stod(large[0]) == 2);
+  CHECK(std::stod(large[2]) == Approx(7 * 6 / std::numbers::pi));
+  CHECK(std::stod(words_after(deck, "set atom 31 diameter ")[0]) >= 0.9);
+  CHECK(deck.find("set atom 32 ") == std::string::npos);
+}
+
+TEST_CASE("A bed that LAMMPS cannot have is refused with the reason") {
+  CHECK_THROWS_WITH(cli::lammps_column_deck(column("hertz"), "test"),
+                    Catch::Contains("sqrt(delta R_eff)"));
+  CHECK_THROWS_WITH(
+      cli::lammps_column_deck(column("linear_spring_dashpot", "drag: {air: 0.01}\n"), "test"),
+      Catch::Contains("drag.air"));
 }
