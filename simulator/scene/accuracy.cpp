@@ -135,11 +135,12 @@ void read_accuracy(SceneValues& values, Scene& scene) {
 std::string outside_calibration(const Scene& scene) {
   const double W = scene.W();
   const double restitution = std::min(scene.grains.restitution, scene.base.restitution);
-  if (W < 2.5 || W > 90) return "W outside [2.5, 90]";
-  if (scene.grains.layers < 2 || scene.grains.layers > 10) return "N outside [2, 10]";
-  if (restitution < 0.7) return "restitution below 0.7";
-  if (scene.base.drive.amplitude < 0.3 || scene.base.drive.amplitude > 1) {
-    return "A/d outside [0.3, 1]";
+  constexpr double rounding = 1e-9;  // W comes from an angular frequency
+  if (W < 5 * (1 - rounding) || W > 40 * (1 + rounding)) return "W outside [5, 40]";
+  if (scene.grains.layers < 2 || scene.grains.layers > 6) return "N outside [2, 6]";
+  if (restitution < 0.8) return "restitution below 0.8";
+  if (scene.base.drive.amplitude < 0.5 || scene.base.drive.amplitude > 1) {
+    return "A/d outside [0.5, 1]";
   }
   return "";
 }
