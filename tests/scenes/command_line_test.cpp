@@ -30,8 +30,9 @@ const std::string rough = "'" SHAKEBED_SOURCE_FOLDER "/scenes/rough_3d.yaml'";
 const std::string smooth = "'" SHAKEBED_SOURCE_FOLDER "/scenes/smooth_2d.yaml'";
 
 TEST_CASE("Help and version are fine, in every subcommand") {
-  for (const char* command : {"", "run ", "check ", "sweep ", "sweep run ", "sweep status ",
-                              "sweep collect ", "trade ", "extremes ", "fit ", "figure ", "network ", "export "}) {
+  for (const char* command :
+       {"", "run ", "check ", "sweep ", "sweep run ", "sweep status ", "sweep collect ", "trade ",
+        "extremes ", "fit ", "figure ", "network ", "export "}) {
     CAPTURE(command);
     const Outcome help = shakebed(std::string(command) + "--help");
     CHECK(help.code == 0);
