@@ -21,6 +21,15 @@ TEST_CASE("The settings that accuracy chooses from are those of the shipped trad
   CHECK(trade::accuracy_table(trade).to_text() == files::read_text(folder + "/accuracy.csv"));
 }
 
+TEST_CASE("The shipped runs on unseen scenes keep their promises, as 95 % would") {
+  const auto kept = trade::kept_promises(files::CsvTable::read(folder + "/unseen.csv"),
+                                         files::CsvTable::read(folder + "/unseen_references.csv"));
+  CHECK(trade::promises_table(kept).to_text() == files::read_text(folder + "/promises.csv"));
+  REQUIRE(kept.size() >= 6);  // five scenes and their sum
+  CHECK(kept.back().runs >= 100);
+  CHECK(kept.back().chance > 0.01);
+}
+
 bool is_of(const FitResult& fit, const std::string& scene) {
   return std::ranges::any_of(fit.labels, [&](const auto& label) { return label.second == scene; });
 }
