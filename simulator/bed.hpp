@@ -195,8 +195,10 @@ class Protocol {
     const long most = rule.cycles.value_or(rule.at_most);
     long next_look = first_look();
     int restarts = rule.until && !rule.transient ? most_restarts : 0;
+    constexpr long looks_before_one_knows = 3;
+    long expected = rule.until ? std::min(most, next_look << looks_before_one_knows) : most;
     while (measurement.cycles() < most) {
-      poll(0.5 + 0.5 * static_cast<double>(measurement.cycles()) / static_cast<double>(most));
+      poll(0.5 + 0.5 * static_cast<double>(measurement.cycles()) / static_cast<double>(expected));
       measure_cycle(measurement, measurement.cycles() < rule.snapshots.cycles);
       if (over_early(measurement)) break;
       if (!rule.until || measurement.cycles() < next_look) continue;
@@ -212,6 +214,10 @@ class Protocol {
       }
       if (measurement.precise_enough(*rule.until)) break;
       next_look *= 2;  // looking at every cycle and stopping at a lucky one would undercover
+      const double needed = measurement.cycles_needed(*rule.until);
+      expected = next_look;
+      while (expected < most && static_cast<double>(expected) < needed) expected *= 2;
+      expected = std::min(expected, most);
     }
   }
 

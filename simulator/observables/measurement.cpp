@@ -125,6 +125,13 @@ bool Measurement<D>::precise_enough(const Scene::Precision& wanted) const {
 }
 
 template <int D>
+double Measurement<D>::cycles_needed(const Scene::Precision& wanted) const {
+  const auto estimate = mean_of_series(values_of(wanted.quantity)).estimate;
+  const double ratio = estimate.standard_error / (wanted.fraction * std::abs(estimate.mean));
+  return static_cast<double>(cycles()) * ratio * ratio;
+}
+
+template <int D>
 void Measurement<D>::write_temperatures(Record& record) const {
   const double v = scene_.base.drive.peak_velocity();
   auto names = component_names<D>();

@@ -45,6 +45,9 @@ class Measurement {
   /// True when `quantity` is known to the fraction asked for: standard error / mean, with at least
   /// 30 independent entries (fewer make the error itself too uncertain to stop on).
   bool precise_enough(const Scene::Precision& wanted) const;
+  /// How many cycles that will have taken, as far as the present error tells: it falls with the
+  /// root of the cycles.
+  double cycles_needed(const Scene::Precision& wanted) const;
   bool knows(const std::string& quantity) const;
   bool drifts() const;  ///< the halves of what was measured differ, in T_z or h_cm
   void restart() { *this = Measurement(scene_, rest_height_); }
