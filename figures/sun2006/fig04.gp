@@ -5,11 +5,11 @@ set multiplot
 set lmargin at screen 0.07
 set rmargin at screen 0.485
 set label 1 '(a)' at graph 0.93, 0.06
-array values[5] = ['2e4', '6e4', '2e5', '6e5', '2e6']
-array labels[5] = ['{/:Italic k}_n = 2 10^4', '{/:Italic k}_n = 6 10^4', '{/:Italic k}_n = 2 10^5', '{/:Italic k}_n = 6 10^5', '{/:Italic k}_n = 2 10^6']
-plot for [v = 1:5] for [r = 1:6] stiffness using (one_of(stiffness_k_n, values[v], r, stiffness_replicate) ? column(stiffness_T) : NaN):(column(stiffness_large_height)) \
+array values[4] = ['1e5', '2e5', '6e5', '2e6']
+array labels[4] = ['{/:Italic k}_n = 10^5', '{/:Italic k}_n = 2 10^5', '{/:Italic k}_n = 6 10^5', '{/:Italic k}_n = 2 10^6']
+plot for [v = 1:4] for [r = 1:6] stiffness using (one_of(stiffness_k_n, values[v], r, stiffness_replicate) ? column(stiffness_T) : NaN):(column(stiffness_large_height)) \
        with linespoints pointtype 7 pointsize 0.35 linewidth 1.4 linecolor rgb hues[v], \
-     for [v = 1:5] keyentry with lines linewidth 2 linecolor rgb hues[v] title labels[v]
+     for [v = 1:4] keyentry with lines linewidth 2 linecolor rgb hues[v] title labels[v]
 set lmargin at screen 0.575
 set rmargin at screen 0.985
 set label 1 '(b)' at graph 0.93, 0.06

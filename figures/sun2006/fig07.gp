@@ -13,8 +13,8 @@ plot for [v = 1:5] for [r = 1:6] friction using (one_of(friction_mu_wall, values
 set lmargin at screen 0.575
 set rmargin at screen 0.985
 set label 1 '(b)' at graph 0.93, 0.06
-array values[3] = ['2e4', '2e5', '2e6']
-array labels[3] = ['{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^4', '{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^5', '{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^6']
+array values[3] = ['1e5', '2e5', '2e6']
+array labels[3] = ['{/Symbol m}_{wall} = 0, {/:Italic k}_n = 10^5', '{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^5', '{/Symbol m}_{wall} = 0, {/:Italic k}_n = 2 10^6']
 plot for [v = 1:3] for [r = 1:6] stiffness using (one_of(stiffness_k_n, values[v], r, stiffness_replicate) ? column(stiffness_T) : NaN):(column(stiffness_large_height)) \
        with linespoints pointtype 7 pointsize 0.35 linewidth 1.4 linecolor rgb hues[v], \
      for [v = 1:3] keyentry with lines linewidth 2 linecolor rgb hues[v] title labels[v]

@@ -56,6 +56,7 @@ TEST_CASE("The canonical text of a bed in a container reads back as itself") {
            {{"contact.tangential.stiffness_ratio", "0.3"}, {"container.wall.stiffness", "3e5"}},
            {{"protocol.time_step", "{fraction_of_contact_duration: 0.02}"}},
            {{"protocol.measure.cycles", "12"}, {"protocol.contact_velocities", "half_step"}},
+           {{"protocol.measure.cycles", "12"}, {"protocol.snapshots", "{phases: []}"}},
            {{"grains.large", "{diameter: 2.5, density_ratio: 3}"}, {"seed", "9"}}}) {
     const auto scene = small_column(overrides);
     const std::string text = simulator::canonical_yaml(scene);
@@ -92,6 +93,8 @@ TEST_CASE("Snapshots are of cycle 10 in 20 phases unless the scene says otherwis
   CHECK(scene.protocol.snapshots.phases.size() == 20);
   CHECK(scene.protocol.snapshots.from_cycle == 10);
   CHECK(small_column().protocol.snapshots.phases.empty());
+  CHECK(small_column({{"protocol.measure.cycles", "12"}, {"protocol.snapshots", "{phases: []}"}})
+            .protocol.snapshots.phases.empty());
 }
 
 TEST_CASE("160 equal phases divide a cycle, with about the step asked for") {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -71,6 +72,16 @@ TEST_CASE("an ensemble gives mean and spread of every number, beside the paper's
   CHECK(passes.text(0, passes.column("NE_paper")) == "5795");
   CHECK(passes.numbers("NE")[5] == Approx(mean));
   CHECK(passes.numbers("missing")[5] == 0);
+
+  // The first replica of the earliest instant is the one that is drawn.
+  const auto& networks = a.analysis.networks;
+  const auto strong = std::count_if(
+      networks.contacts.begin(), networks.contacts.end(),
+      [&](Index k) { return a.snapshot.contacts[k].normal_force > networks.mean_force; });
+  CHECK(named(tables, "edges").rows() == static_cast<std::size_t>(strong));
+  const auto& grains = named(tables, "grains");
+  REQUIRE(grains.rows() == a.snapshot.grains());
+  CHECK(grains.numbers("z")[7] == a.snapshot.position[7][2]);
 }
 
 TEST_CASE("the distribution of an ensemble integrates to one, set by set") {
