@@ -155,13 +155,13 @@ void read_springs(SceneValues& values, Scene& scene) {
                  values.number(wall + ".gamma_t").value_or(column.grain.tangential_rate), mu_wall};
 }
 
-/// The large grain sinks in by its weight, M g/k_n, and by its blow, 2 V_p sqrt(M/k_n).
+/// The large grain sinks in by its weight where the base pushes hardest, M (g + A omega^2)/k_n.
 void check_large_overlap(SceneValues& values, const Scene& scene) {
   const ColumnScene& column = *scene.column;
   if (!column.has_large || values.refused("contact.stiffness")) return;
   const double mass = column.large_density * std::pow(column.large_diameter, 3);
   const double k_n = std::min(column.grain.normal_stiffness, column.wall.normal_stiffness);
-  const double overlap = mass / k_n + 2 * scene.base.drive.peak_velocity() * std::sqrt(mass / k_n);
+  const double overlap = mass * (1 + scene.Gamma()) / k_n;
   if (overlap <= meaningless_overlap) return;
   values.report("grains.large", "a large grain of " + three_digits(mass) + " m sinks about " +
                                     three_digits(overlap) +

@@ -130,6 +130,13 @@ TEST_CASE("What does not fit in a container is refused, with what to do") {
   }
 }
 
+TEST_CASE("A large grain too heavy for its contacts is refused") {
+  // M (1 + Gamma)/k_n = 0.5 with Gamma = (2 pi 0.3)^2, M = pi/6 2^3 density: density = 5243.
+  CHECK_NOTHROW(tests::small_column({{"grains.large.density", "5200"}}));
+  CHECK_THROWS_WITH(tests::small_column({{"grains.large.density", "5300"}}),
+                    Catch::Contains("sinks about"));
+}
+
 TEST_CASE("Keys of a container are refused without one") {
   const auto root = files::YamlNode::load_text(R"(scene: 1
 dimension: 3

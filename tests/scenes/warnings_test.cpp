@@ -57,4 +57,18 @@ TEST_CASE("Largest overlap and drive angle follow their formulas") {
   CHECK(drive_angle_in_contact(scene, parameters) == Approx(3 * M_PI / 300).epsilon(1e-3));
 }
 
+TEST_CASE("Contacts that overlap by half a diameter are refused, softer by permission only") {
+  // V_p = 3, N = 4: 6/sqrt(k_n) + 4/k_n = 0.5 at k_n = 159.6.
+  const auto refused = [](const char* k_n) {
+    return !tests::faults_of(tests::rough_bed, {{"base.drive.W", "9"}, {"contact.stiffness", k_n}})
+                .empty();
+  };
+  CHECK(refused("159"));
+  CHECK_FALSE(refused("161"));
+  const Scene soft = tests::bed_with(
+      {{"base.drive.W", "9"}, {"contact.stiffness", "159"}, {"contact.allow_soft", "true"}});
+  CHECK(soft.contact.allow_soft);
+  CHECK_FALSE(tests::bed_with({{"contact.allow_soft", "true"}}).contact.allow_soft);
+}
+
 }  // namespace
