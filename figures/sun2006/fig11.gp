@@ -17,13 +17,14 @@ set xlabel '{/:Italic x}/{/:Italic d}_0'
 # Five widths.
 class(force) = force < top ? int(5 * force / top) + 1 : 5
 array mu[2] = ['0.5', '0']
-do for [k = 1:2] {
+stats grains using (strcol(grains_mu_wall) eq '0' ? 1 : 0) nooutput name 'smooth'
+do for [k = 1:(smooth_sum > 0 ? 2 : 1)] {
   stats edges using (strcol(edges_mu_wall) eq '0.5' ? column(edges_z_i) : NaN) nooutput name 'z'
   stats grains using (strcol(grains_mu_wall) eq mu[k] ? column(grains_z) : NaN) nooutput name 'own'
   set yrange [own_min - 1:own_min + (z_max - z_min) + 2]
   set ylabel (k == 1 ? '{/:Italic z}/{/:Italic d}_0' : '')
   set title sprintf('(%s)  {/Symbol m}_{wall} = %s', 'ab'[k:k], mu[k])
-  if (k == 1) { unset colorbox } else { set colorbox }
+  if (k == 1 && smooth_sum > 0) { unset colorbox } else { set colorbox }
   own(name, value) = strcol(name) eq mu[k] ? value : NaN
   plot grains using (own(grains_mu_wall, column(grains_radius) < 1 ? column(grains_x) : NaN)):(column(grains_z)) with points pointtype 7 pointsize 0.12 linecolor rgb light, \
        for [w = 1:5] edges using (own(edges_mu_wall, class(column(edges_normal_force)) == w ? column(edges_x_i) : NaN)):(column(edges_z_i)):(column(edges_x_j) - column(edges_x_i)):(column(edges_z_j) - column(edges_z_i)):(column(edges_normal_force)) \

@@ -1,5 +1,7 @@
 # Fig. 15: mean over replicas, our fits of Eq. (13), and the two curves the paper prints for each.
 load 'style.gp'
+# One replica has no spread.
+known(n) = valid(n) ? column(n) : 0
 set multiplot
 set tmargin at screen 0.96
 set bmargin at screen 0.14
@@ -17,7 +19,7 @@ do for [k = 1:2] {
   set rmargin at screen (k == 1 ? 0.49 : 0.985)
   set label 1 (k == 1 ? '(a)' : '(b)') at graph 0.04, 0.08
   here(x) = strcol(pdf_set) eq sets[k] ? x : NaN
-  plot pdf using (here(column(pdf_f))):(column(pdf_P) > 0 ? column(pdf_P) : NaN):(column(pdf_P_se)) with yerrorbars pointtype 8 pointsize 0.7 linecolor rgb grey title names[k], \
+  plot pdf using (here(column(pdf_f))):(column(pdf_P) > 0 ? column(pdf_P) : NaN):(known(pdf_P_se)) with yerrorbars pointtype 8 pointsize 0.7 linecolor rgb grey title names[k], \
        pdf using (here(column(pdf_f))):(column(pdf_P_shifted_histogram_fit)) with lines linewidth 1.8 linecolor rgb blue title 'Eq. (13), least squares', \
        pdf using (here(column(pdf_f))):(column(pdf_P_shifted_likelihood_fit)) with lines linewidth 1.8 linecolor rgb green title 'Eq. (13), likelihood', \
        pdf using (here(column(pdf_f))):(column(pdf_P_paper)) with lines linewidth 1.4 dashtype '-' linecolor rgb 'black' title 'paper, whole range', \
