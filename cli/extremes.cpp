@@ -15,7 +15,7 @@
 namespace shakebed::cli {
 
 int extremes_command(const ExtremesOptions& options) {
-  const auto list = sweeps::read_extremes(options.list);
+  auto list = sweeps::read_extremes(options.list);
   const sweeps::store::Cache cache(sweeps::store::Cache::place(options.cache));
   const auto runs = sweeps::runs_of(list);
   sweeps::Progress progress(std::cerr, ::isatty(STDERR_FILENO) != 0, list.id);
@@ -28,6 +28,8 @@ int extremes_command(const ExtremesOptions& options) {
   for (const auto& run : runs) {
     if (auto found = cache.find(run.identity); found.run) {
       records[run.point] = std::move(found.run->record);
+    } else if (const auto failure = cache.failure_of(run.identity.key)) {
+      list.cases[run.point].failure = failure->substr(0, failure->find('\n'));
     }
   }
   const auto table = sweeps::extremes_table(list, records);

@@ -103,7 +103,9 @@ Judgement judge(const ExtremeCase& one, const Record& record, const Record* refe
     off = !(std::abs(judged.deviation.mean) - 2 * judged.deviation.standard_error <=
             100 * one.within);
   }
-  const bool open = !(ledger_gap(record) <= open_ledger) && !record.at_rest;
+  const bool has_ledger = std::ranges::any_of(
+      record.scalars, [](const auto& scalar) { return scalar.name == "ledger_residual"; });
+  const bool open = has_ledger && !(ledger_gap(record) <= open_ledger) && !record.at_rest;
   const bool said = !record.warnings.empty() || !record.stationary;
   if (off || open) {
     judged.verdict = said ? "wrong, said" : "wrong, UNSAID";
@@ -181,7 +183,9 @@ files::CsvTable extremes_table(const ExtremeList& list,
       continue;
     }
     if (!records[k]) {
-      table.add_row({one.group, one.id, "failed", "", "", "", "", "", "", "", "did not finish"});
+      const bool said = !one.failure.empty();
+      table.add_row({one.group, one.id, said ? "stopped, said" : "failed", "", "", "", "", "", "",
+                     "", said ? one.failure : "did not finish"});
       continue;
     }
     const Record& record = *records[k];

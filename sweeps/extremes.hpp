@@ -21,6 +21,7 @@ struct ExtremeCase {
   double within = 0;                      ///< ... to this share
   std::optional<simulator::Scene> scene;  ///< empty: refused
   std::string refusal;
+  std::string failure;  ///< why it stopped on the way
 };
 
 /// Reads a list (schema 1):
@@ -44,6 +45,7 @@ std::vector<Run> runs_of(const ExtremeList& list);
 /// right         ran, its ledger closes to 1 %, and it has the T_z it must have
 /// wrong, said   it does not, and the record says so: a warning, or not stationary
 /// wrong, UNSAID it does not, and nothing is said: a defect
+/// stopped, said it ended with an error on the way
 /// refused       an error before it ran
 /// no steady state, said: what it says about being stationary is the answer
 /// One row a case; `says` is the refusal, or what the record warns of.
