@@ -50,6 +50,17 @@ void add_passes(Numbers& numbers, const ContactingTrees& found) {
   std::size_t large = 0;
   for (const auto& missing : found.missing) large += missing.large_grain ? 1 : 0;
   numbers.count("missing_of_large_grain", large);
+  numbers.count("missing_of_small_grains", found.missing.size() - large);
+  // Differences and shares bed by bed: over replicas they are known better than their parts.
+  const auto of = [](std::size_t count) { return static_cast<double>(count); };
+  const PassCounts& all = found.network;
+  const PassCounts& one = found.passes.front();
+  numbers.add("grains_left_out", "1", of(all.NP) - of(one.NP));
+  numbers.add("trees_left_out", "1", of(all.NT) - of(one.NT));
+  for (const auto& row : found.passes) {
+    numbers.add("NE_share_" + std::to_string(row.passes), "1",
+                all.NE > 0 ? of(row.NE) / of(all.NE) : none);
+  }
 }
 
 void add_fit(Numbers& numbers, const ForceFit& fit, const std::string& method) {
