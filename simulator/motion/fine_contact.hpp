@@ -26,7 +26,7 @@ class FineContacts {
     long expires = 0;        ///< step at which its surroundings must be looked at again
     long base_touched = -1;  ///< the last step at which it touched the base
     bool near_base = false;  ///< it may touch the base before `expires`
-    bool fresh = true;       ///< came to touch in the coming step
+    bool fresh = true;       ///< came to touch, and has not yet
   };
 
   struct Pair {
@@ -66,6 +66,7 @@ class FineContacts {
       if (overlap > 0) {
         touch_base(physics, row.grain, base, overlap, row.base_touched != step - 1, ledger);
         row.base_touched = step;
+        row.fresh = false;
       } else if (row.base_touched == step - 1) {
         needs_attention = true;
       }
@@ -78,13 +79,17 @@ class FineContacts {
       if (rr < 4 * grain_radius * grain_radius) {
         touch_pair(physics, a, b, r, rr, pair.touched != step - 1, ledger);
         pair.touched = step;
+        rows[pair.a].fresh = rows[pair.b].fresh = false;
       } else if (pair.touched == step - 1) {
         needs_attention = true;
       }
     }
     for (Row& row : rows) {
       if (row.grain.half_speed_squared() > row.speed_cap * row.speed_cap) row.expires = step;
-      if (row.expires <= step || row.fresh) needs_attention = true;
+      if (row.expires > step) continue;
+      needs_attention = true;
+      // Grains side by side in one motion may be told for ever to touch now, and by a rounding do
+      // not: whoever came for a touch waits for it until it looks around again.
       row.fresh = false;
     }
   }

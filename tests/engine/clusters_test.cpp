@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulator/contact/viscous_coulomb.hpp"
+#include "simulator/simulate.hpp"
 #include "tests/engine/beds.hpp"
 
 namespace shakebed::simulator {
@@ -82,6 +83,18 @@ TEST_CASE("three grains meet at one point") {
 // The lower of two is on the base while the upper one arrives.
 TEST_CASE("a pair meets on the base") {
   check({{{2.5, 2.5, 1.2}, {0, 0, -3}}, {{2.6, 2.5, 2.23}, {0, 0, -3.2}}}, 0.15, 2);
+}
+
+// Five grains fill each layer of this cell of 5 d side by side, and thrown as a plug approach one
+// another by less than rounding can tell: about to touch now, and now again. Time has to go on.
+TEST_CASE("grains that touch by rounding alone do not stop time") {
+  auto scene = canonical(2, 5.6, 0, 1984540740475876);
+  scene.cell = {5};
+  scene.grains.count = 20;
+  scene.contact.stiffness = 112000;
+  scene.protocol.cycles = 30;
+  scene.protocol.contacts = ContactOperator::closed;
+  CHECK_NOTHROW(simulate(scene));
 }
 
 }  // namespace shakebed::simulator

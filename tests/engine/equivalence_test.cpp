@@ -94,8 +94,8 @@ TEST_CASE("height profiles agree box by box") {
     std::map<std::string, std::map<std::string, Value>> boxes;
     for (std::size_t row = 0; row < table.rows(); ++row) {
       if (table.number(row, table.column("grains_in_box")) < enough) continue;
-      const auto box = table.text(row, table.column("scene")) + " " +
-                       table.text(row, table.column("z"));
+      const auto box =
+          table.text(row, table.column("scene")) + " " + table.text(row, table.column("z"));
       boxes[box][table.text(row, table.column("engine"))] = {
           table.number(row, table.column(quantity)),
           table.number(row, table.column(quantity + "_se"))};
