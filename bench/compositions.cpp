@@ -48,7 +48,7 @@ std::vector<Composition> compositions() {
   const std::vector<Override> small{{"grains.count", "300"},
                                     {"container.cylinder.diameter", "7"},
                                     {"protocol.measure.cycles", "3"},
-                                    {"protocol.snapshots.from_cycle", "0"}};
+                                    {"protocol.snapshots.phases", "[]"}};
   const std::vector<Override> slick{{"contact.tangential", "frictionless"},
                                     {"grains.friction", "0"},
                                     {"container.wall.friction", "0"}};
