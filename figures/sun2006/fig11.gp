@@ -1,5 +1,5 @@
-# Fig. 11: seen from the side; width and colour of an edge by its force, on one scale for both beds (at
-# 99 % of the strongest with wall friction the scale ends). Dots: centres of grains.
+# Fig. 11: seen from the side; width and colour of an edge by its force, on one scale for both beds (it
+# ends where a few outliers with wall friction lie beyond). Dots: centres of grains.
 load 'style.gp'
 set multiplot layout 1, 2
 set palette defined (0 '#fde725', 0.3 '#28ae80', 0.65 '#2c728e', 1 '#472d7b')
@@ -18,6 +18,7 @@ set xlabel '{/:Italic x}/{/:Italic d}_0'
 class(force) = force < top ? int(5 * force / top) + 1 : 5
 array mu[2] = ['0.5', '0']
 stats grains using (strcol(grains_mu_wall) eq '0' ? 1 : 0) nooutput name 'smooth'
+if (smooth_sum == 0) { set label '(b)  {/Symbol m}_{wall} = 0: not computed' at screen 0.75, 0.5 center }
 do for [k = 1:(smooth_sum > 0 ? 2 : 1)] {
   stats edges using (strcol(edges_mu_wall) eq '0.5' ? column(edges_z_i) : NaN) nooutput name 'z'
   stats grains using (strcol(grains_mu_wall) eq mu[k] ? column(grains_z) : NaN) nooutput name 'own'
