@@ -4,6 +4,7 @@
 
 #include "cli/check_accuracy.hpp"
 #include "cli/check_column.hpp"
+#include "cli/check_lines.hpp"
 #include "cli/commands.hpp"
 #include "cli/overrides.hpp"
 #include "cli/scene_schema.hpp"
@@ -22,21 +23,11 @@ using simulator::ContactKind;
 using simulator::Parameters;
 using simulator::Scene;
 
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 /// A guess has no more.
 std::string two_digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, value < 100 ? "%.2g" : "%.0f", value);
   return text;
-}
-
-void line(const char* title, const std::string& text) {
-  std::printf("%-13s %s\n", title, text.c_str());
 }
 
 std::string cell_text(const Scene& scene) {

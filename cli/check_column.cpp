@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/check_lines.hpp"
 #include "simulator/contact/column_parameters.hpp"
 #include "simulator/grains/sized_grains.hpp"
 #include "sweeps/cost_model.hpp"
@@ -12,16 +13,6 @@ namespace {
 
 using simulator::ColumnScene;
 using simulator::Scene;
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
-void line(const char* title, const std::string& text) {
-  std::printf("%-13s %s\n", title, text.c_str());
-}
 
 void print_bed(const Scene& scene) {
   const ColumnScene& column = *scene.column;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
+#include "files/csv.hpp"
 namespace shakebed::figures {
 namespace {
 
@@ -17,11 +17,7 @@ const std::string shipped = "shipped";
 
 std::string name_of(const JudgedClaim& one) { return one.figure + "/" + one.claim->id; }
 
-std::string rounded(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+std::string rounded(double value) { return files::rounded_text(value, 4); }
 
 std::string number_with_error(const Result& result, const std::string& unit) {
   if (std::isnan(result.value)) return "no number";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <set>
 
@@ -218,6 +219,12 @@ CsvTable CsvTable::read(const std::filesystem::path& file) {
     table.lines_.push_back(line);
   }
   return table;
+}
+
+std::string rounded_text(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
 }
 
 std::string number_text(double value) {

@@ -54,6 +54,9 @@ class CsvTable {
 /// Shortest decimal text that reads back to the same double; empty for NaN.
 std::string number_text(double value);
 
+/// For people: so many significant digits, trailing zeros dropped ("%.{digits}g").
+std::string rounded_text(double value, int digits);
+
 /// The double that the whole of `text` spells in decimal, or nothing. Out of range is nothing too.
 std::optional<double> number_from_text(std::string_view text);
 

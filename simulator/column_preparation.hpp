@@ -113,12 +113,17 @@ class Preparation {
     if (control_.stop_requested && control_.stop_requested()) throw files::Interrupted();
   }
 
-  void shake(PreparedBed& bed) {
-    auto shaken = physics();
-    without_friction(shaken.grain_grain);
-    without_friction(shaken.grain_wall);
+  /// Without friction, and the large grain held where it is.
+  ColumnStepper<Physics> frictionless_mover(Physics slick, const PreparedBed& bed) const {
+    without_friction(slick.grain_grain);
+    without_friction(slick.grain_wall);
     const std::int64_t held = scene_.column->has_large ? 0 : -1;
-    ColumnStepper<Physics> mover(shaken, bed.grains, 0, {}, held);
+    return {slick, bed.grains, 0, {}, held};
+  }
+
+  void shake(PreparedBed& bed) {
+    const auto shaken = physics();
+    auto mover = frictionless_mover(shaken, bed);
     const double period = static_cast<double>(shaken.steps_per_cycle) * shaken.time_step;
     const long looks = std::max(1L, std::lround(look_every / period));
     double before = 1e300;
@@ -139,11 +144,8 @@ class Preparation {
 
   /// Comes to rest before friction can lock the pressure of the last blow in.
   void calm(PreparedBed& bed) {
-    auto still = at_rest();
-    without_friction(still.grain_grain);
-    without_friction(still.grain_wall);
-    const std::int64_t held = scene_.column->has_large ? 0 : -1;
-    ColumnStepper<Physics> mover(still, bed.grains, 0, {}, held);
+    const auto still = at_rest();
+    auto mover = frictionless_mover(still, bed);
     bed.relaxed_for += bring_to_rest(mover, still.time_step, 100 * wanted_);
     bed.grains = mover.synchronised();
   }

@@ -25,24 +25,12 @@ double percentage(const YamlNode& node) {
   return *number / 100;
 }
 
-void refuse_unknown_keys(const YamlNode& node) {
-  for (const auto& [name, value] : node.items()) {
-    if (name == "group" || name == "id" || name == "set" || name == "scene" || name == "against" ||
-        name == "within") {
-      continue;
-    }
-    throw value.error("`" + name +
-                      "` means nothing here; a case has group, id, set, scene, "
-                      "against and within");
-  }
-}
-
 ExtremeCase read_case(const YamlNode& node, const std::filesystem::path& folder,
                       const YamlNode& base) {
   ExtremeCase one;
   one.id = node.at("id").as_string();
   one.group = node.at("group").as_string();
-  refuse_unknown_keys(node);
+  node.refuse_unknown_keys({"group", "id", "set", "scene", "against", "within"});
   if (const auto against = node.find("against")) {
     one.against = against->as_string();
     one.within = percentage(node.at("within"));

@@ -22,7 +22,7 @@ struct RelativeMotion {
   Spin<D> spin_radius;
 };
 
-/// What an isolated contact does, start to end, without stepping through it.
+/// What an isolated contact does, start to end.
 template <int D>
 struct ClosedOutcome {
   double duration;

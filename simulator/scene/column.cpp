@@ -15,11 +15,7 @@ namespace {
 
 using files::number_text;
 
-std::string three_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string three_digits(double value) { return files::rounded_text(value, 3); }
 
 constexpr std::array only_in_container{"grains.sizes",
                                        "grains.large",

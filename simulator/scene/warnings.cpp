@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "files/csv.hpp"
 #include "simulator/scene/accuracy.hpp"
 
 namespace shakebed::simulator {
@@ -25,11 +25,7 @@ double bias_of_automatic_stiffness() {
   return 0;
 }
 
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string rounded(double value) { return files::rounded_text(value, 3); }
 
 }  // namespace
 
