@@ -4,6 +4,7 @@
 #include <set>
 
 #include "files/yaml.hpp"
+#include "simulator/scene/column.hpp"
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/simulate.hpp"
 #include "sweeps/axis.hpp"
@@ -183,8 +184,10 @@ Grid read_grid(const std::filesystem::path& sweep, const std::string& profile) {
 }
 
 std::uint64_t replicate_seed(const simulator::Scene& point, int replicate) {
-  const std::string text =
-      "replicate " + std::to_string(replicate) + "\n" + simulator::canonical_yaml(point);
+  // Points that can start from one packing do.
+  const std::string depends_on =
+      point.column ? simulator::pouring_text(point) : simulator::canonical_yaml(point);
+  const std::string text = "replicate " + std::to_string(replicate) + "\n" + depends_on;
   return store::hash(text) & ((std::uint64_t{1} << 53) - 1);
 }
 

@@ -52,8 +52,9 @@ struct Run {
 };
 
 /// Depends on the point's own scene (its base seed included) and on the replicate only, so that it
-/// stays the same when axes are reordered or points added. Below 2^53, so that every reader of
-/// JSON and CSV gets it exactly.
+/// stays the same when axes are reordered or points added; of a bed in a container on what its
+/// packing depends on, so that points which differ in drive, drag, step or friction start from the
+/// same packing. Below 2^53, so that every reader of JSON and CSV gets it exactly.
 std::uint64_t replicate_seed(const simulator::Scene& point, int replicate);
 
 /// All runs, replicates of a point side by side.

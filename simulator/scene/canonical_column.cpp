@@ -111,4 +111,14 @@ std::string preparation_text(const Scene& scene) {
          prepare_text(column) + "seed: " + std::to_string(scene.seed) + "\n";
 }
 
+std::string pouring_text(const Scene& scene) {
+  // Parameters that no contact without friction has.
+  Scene slick = scene;
+  auto& column = *slick.column;
+  column.grain.friction = column.wall.friction = 0;
+  column.grain.tangential_rate = column.wall.tangential_rate = 0;
+  column.grain_stiffness_ratio = column.wall_stiffness_ratio = 0;
+  return preparation_text(slick);
+}
+
 }  // namespace shakebed::simulator

@@ -24,4 +24,8 @@ std::string canonical_column_yaml(const Scene& scene);
 /// What a prepared bed depends on: scenes that give the same text may share it.
 std::string preparation_text(const Scene& scene);
 
+/// What its packing depends on, up to the instant when friction begins: the same for scenes that
+/// differ in friction, k_t/k_n or gamma_t.
+std::string pouring_text(const Scene& scene);
+
 }  // namespace shakebed::simulator

@@ -60,7 +60,7 @@ TEST_CASE("A run interrupted again and again gives the bytes of one that was not
   simulator::RunControl calm;
   calm.store = &whole_store;
   const auto expected = simulator::simulate(scene, calm);
-  CHECK(whole.beds.size() == 1);  // the prepared bed; the checkpoint is gone
+  CHECK(whole.beds.size() == 2);  // the poured and the prepared bed; the checkpoint is gone
 
   MemoryStore broken;
   broken.beds = whole.beds;
@@ -153,6 +153,31 @@ TEST_CASE("A prepared bed is packed, at rest, and not wedged") {
   for (const double m : bed.grains.mass) weight += m;
   for (const auto& c : mover.contacts()) REQUIRE(c.normal_force < weight);
   CHECK(bed.grains.position[2][0] < bed.grains.radius[0] + 0.2);
+}
+
+// Sharing must not show: a bed that starts from the packing of a scene with other friction has the
+// bytes of one that was poured for itself.
+TEST_CASE("A bed that uses another scene's packing is the bed it would have poured itself") {
+  const auto rough = small_column({{"grains.count", "100"}});
+  const auto smooth_wall =
+      small_column({{"grains.count", "100"}, {"container.wall.friction", "0"}});
+  using SmoothWall = simulator::ColumnPhysics<simulator::LinearOverlap, simulator::CundallStrack,
+                                              simulator::Frictionless>;
+  const auto bytes_of = [](simulator::PreparedBed bed) {
+    simulator::ByteWriter writer;
+    bed.archive(writer);
+    return std::move(writer).take();
+  };
+  MemoryStore shared;
+  const auto store = shared.store();
+  simulator::RunControl control;
+  control.store = &store;
+  simulator::prepared_bed<tests::LinearColumn>(rough, control);
+  CHECK(shared.saves == 2);
+  const auto bed = simulator::prepared_bed<SmoothWall>(smooth_wall, control);
+  CHECK(shared.loads == 1);
+  CHECK(shared.saves == 3);
+  CHECK(bytes_of(bed) == bytes_of(simulator::prepared_bed<SmoothWall>(smooth_wall, {})));
 }
 
 TEST_CASE("Small grains of several sizes have their masses and inertias") {

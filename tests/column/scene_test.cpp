@@ -88,6 +88,28 @@ TEST_CASE("Beds are shared by scenes that differ in drive, drag or length, and b
   }
 }
 
+TEST_CASE("Packings, which know no friction, are shared by scenes that differ in it") {
+  const std::string text = simulator::pouring_text(small_column());
+  CHECK(text == simulator::pouring_text(small_column({{"container.wall.friction", "0"},
+                                                      {"grains.friction", "0.1"},
+                                                      {"container.wall.gamma_t", "3"},
+                                                      {"contact.tangential.gamma_t", "7"},
+                                                      {"contact.tangential.stiffness_ratio", "1"},
+                                                      {"drag.air", "0.01"}})));
+  for (const auto& [key, value] :
+       std::vector<std::pair<std::string, std::string>>{{"container.cylinder.diameter", "6"},
+                                                        {"container.wall.gamma_n", "50"},
+                                                        {"contact.gamma_n", "50"},
+                                                        {"grains.large.density", "13"},
+                                                        {"contact.stiffness", "1e5"},
+                                                        {"contact.normal", "hertz"},
+                                                        {"protocol.prepare.frequency", "3"},
+                                                        {"protocol.prepare.kinetic_energy", "1e-7"},
+                                                        {"seed", "2"}}) {
+    CHECK(text != simulator::pouring_text(small_column({{key, value}})));
+  }
+}
+
 TEST_CASE("Snapshots are of cycle 10 in 20 phases unless the scene says otherwise") {
   const auto scene = small_column({{"protocol.measure.cycles", "11"}});
   CHECK(scene.protocol.snapshots.phases.size() == 20);

@@ -3,6 +3,7 @@
 
 #include "simulator/contact/column_parameters.hpp"
 #include "simulator/observables/column_series.hpp"
+#include "simulator/scene/column.hpp"
 #include "sweeps/column_table.hpp"
 #include "sweeps/ensemble.hpp"
 #include "tests/sweeps/small_sweep.hpp"
@@ -55,6 +56,31 @@ TEST_CASE("Beds that several figures of Sun 2006 show are run once") {
   }
   CHECK(runs == 18);
   CHECK(keys.size() == 14);  // each has the bed of Table I with 6001 grains
+}
+
+// Fig. 2 shows the bed of the runs after it, and runs that differ in friction, drag or step alone
+// start from one packing.
+TEST_CASE("Runs of Sun 2006 that can start from the same bed do") {
+  const auto beds_of = [](std::set<std::string>& prepared, std::set<std::string>& poured,
+                          std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+      for (const auto& run :
+           sweeps::runs_of(sweeps::read_grid(folder / (std::string(name) + ".yaml"), "paper"))) {
+        prepared.insert(simulator::preparation_text(run.scene));
+        poured.insert(simulator::pouring_text(run.scene));
+      }
+    }
+  };
+  std::set<std::string> prepared, poured;
+  beds_of(prepared, poured, {"prepared"});
+  CHECK(prepared.size() == 2);
+  beds_of(prepared, poured, {"damping", "air"});
+  CHECK(prepared.size() == 2);
+  beds_of(prepared, poured, {"walls", "friction", "wall_friction"});
+  CHECK(prepared.size() == 2 + 1 + 3 + 4);  // walls: mu_wall = 0; mu and mu_wall are 0.5 in one
+  CHECK(poured.size() == 2);
+  beds_of(prepared, poured, {"networks"});
+  CHECK(poured.size() == 2 + 3);  // replicas have their own
 }
 
 TEST_CASE("The series table samples equal phases between two cycles, and says what it cannot") {

@@ -29,6 +29,7 @@ struct Drag {
 /// In the co-moving frame the container rests and the field is -g - d^2 z_b/dt^2.
 template <class OverlapLaw, class PairTangential, class WallTangential>
 struct ColumnPhysics {
+  using Overlap = OverlapLaw;
   using Pair = SpringContact<OverlapLaw, PairTangential>;
   using Wall = SpringContact<OverlapLaw, WallTangential>;
   static constexpr bool turns_grains = Pair::turns_grains || Wall::turns_grains;
