@@ -8,6 +8,7 @@
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/simulate.hpp"
 #include "sweeps/axis.hpp"
+#include "sweeps/point_rule.hpp"
 #include "sweeps/store/run_key.hpp"
 
 namespace shakebed::sweeps {
@@ -25,10 +26,25 @@ struct Plan {
   std::filesystem::path base;
   std::vector<simulator::Override> overrides;
   std::vector<Axis> axes;
+  std::vector<PointRule> rules;
 };
 
+void replace_choices(const YamlNode& axes, Plan& plan) {
+  std::vector<std::string> names;
+  for (const auto& axis : plan.axes) {
+    if (axis.columns.size() == 1) names.push_back(axis.columns.front().column.name);
+  }
+  axes.refuse_unknown_keys(names);
+  for (const auto& [name, values] : axes.items()) {
+    for (auto& axis : plan.axes) {
+      auto& column = axis.columns.front();
+      if (axis.columns.size() == 1 && column.column.name == name) column.replace_choices(values);
+    }
+  }
+}
+
 void apply_profile(const YamlNode& profile, Plan& plan, Grid& grid) {
-  profile.refuse_unknown_keys({"set", "axes", "replicates"});
+  profile.refuse_unknown_keys({"set", "axes", "replicates", "points"});
   if (const auto set = profile.find("set")) {
     const auto more = read_overrides(*set);
     plan.overrides.insert(plan.overrides.end(), more.begin(), more.end());
@@ -36,18 +52,10 @@ void apply_profile(const YamlNode& profile, Plan& plan, Grid& grid) {
   if (const auto replicates = profile.find("replicates")) {
     grid.replicates = static_cast<int>(replicates->as_integer());
   }
-  const auto axes = profile.find("axes");
-  if (!axes) return;
-  std::vector<std::string> names;
-  for (const auto& axis : plan.axes) {
-    if (axis.columns.size() == 1) names.push_back(axis.columns.front().column.name);
-  }
-  axes->refuse_unknown_keys(names);
-  for (const auto& [name, values] : axes->items()) {
-    for (auto& axis : plan.axes) {
-      auto& column = axis.columns.front();
-      if (axis.columns.size() == 1 && column.column.name == name) column.replace_choices(values);
-    }
+  if (const auto axes = profile.find("axes")) replace_choices(*axes, plan);
+  // Their values are those of the profile's axes.
+  if (const auto points = profile.find("points")) {
+    plan.rules = read_point_rules(*points, plan.axes);
   }
 }
 
@@ -171,6 +179,10 @@ Grid read_grid(const std::filesystem::path& sweep, const std::string& profile) {
         point.labels.push_back(choice.label);
         overrides.insert(overrides.end(), choice.overrides.begin(), choice.overrides.end());
       }
+    }
+    for (const auto& rule : plan.rules) {
+      if (!rule.applies_to(point.labels)) continue;
+      overrides.insert(overrides.end(), rule.overrides.begin(), rule.overrides.end());
     }
     try {
       point.scene = simulator::read_scene(base, overrides);

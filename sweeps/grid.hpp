@@ -38,9 +38,10 @@ struct Grid {
 ///   axes: [...]                       # crossed; see axis.hpp
 ///   replicates: 2
 ///   profiles:
-///     quick: {set: {...}, axes: {frequency_rpm: [300, 1000]}, replicates: 1}
-/// A sweep without profiles is the same under any. Values of axes go over the profile's `set`, and
-/// those over the sweep's. All faults come as one files::Error(bad_input), each with its place.
+///     quick: {set: {...}, axes: {frequency_rpm: [300, 1000]}, replicates: 1, points: [...]}
+/// A sweep without profiles is the same under any. Keys of single points (point_rule.hpp) go over
+/// values of axes, those over the profile's `set`, and those over the sweep's. All faults come as
+/// one files::Error(bad_input), each with its place.
 Grid read_grid(const std::filesystem::path& sweep, const std::string& profile);
 
 /// One bed to simulate: a point with a replicate's seed.

@@ -106,7 +106,20 @@ const std::string with_profiles =
     "    axes: {W: [2, 3.5], kind: [soft]}\n"
     "    replicates: 2\n"
     "  range: {axes: {W: {from: 2, to: 3, step: 0.5}}}\n"
-    "  paper: {}\n";
+    "  paper: {}\n"
+    "  pointed:\n"
+    "    set: {protocol.measure.cycles: 60}\n"
+    "    points:\n"
+    "      - {where: {W: [2, 4], kind: [hard]}, set: {protocol.measure.cycles: 7}}\n";
+
+TEST_CASE("Keys of single points go over those of the profile, at these points alone") {
+  const SmallSweep small;
+  for (const auto& point : small.grid(with_profiles, "pointed").points) {
+    const bool meant =
+        (point.labels[0] == "2" || point.labels[0] == "4") && point.labels[1] == "hard";
+    CHECK(point.scene.protocol.cycles == (meant ? 7 : 60));
+  }
+}
 
 TEST_CASE("A profile sets keys, narrows axes and chooses replicates") {
   const SmallSweep small;
@@ -161,13 +174,23 @@ TEST_CASE("Faults of a sweep are refused with their place") {
           ":4:", "column `W`");
   refused("axes: [{key: base.drive.W, values: [1]}]\nreplicates: 0\n", ":", "replicates");
   refused("axes: [{key: seed, values: [1, 2]}]\nreplicates: 2\n", ":", "seed");
-  refused(with_profiles, ":10:", "quick, range, paper", "medium");
+  refused(with_profiles, ":10:", "quick, range, paper, pointed", "medium");
   refused("axes: [{key: base.drive.W, values: [1]}]\nprofiles: {quick: {axes: {V: [1]}}}\n",
           ":5:", "V");
   refused(
       "axes:\n  - {cases: kind, values: {hard: {}, soft: {}}}\n"
       "profiles: {quick: {axes: {kind: [sofd]}}}\n",
       ":6:", "did you mean `soft`");
+  const auto pointed = [&](const std::string& where, const std::string& what) {
+    refused(
+        "axes: [{key: base.drive.W, values: [1, 2]}]\n"
+        "profiles: {quick: {points: [{where: " +
+            where + ", set: {gravity: 2}}]}}\n",
+        ":5:", what);
+  };
+  pointed("{W: [3]}", "no point of this profile has W = 3; there are 1, 2");
+  pointed("{w: [1]}", "did you mean `W`");
+  pointed("{}", "at least one column");
   refused(
       "axes:\n"
       "  - {key: base.drive.W, range: {from: 1, to: 1000, step: 1}}\n"
