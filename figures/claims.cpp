@@ -32,6 +32,13 @@ bool shapes_only(const Manifest& manifest, const Entry& entry, const std::string
   return std::count(profiles->second.begin(), profiles->second.end(), origin) > 0;
 }
 
+/// True when the profile `origin` has computed nothing that the claim needs.
+bool nothing_computed(const Claim& claim, const PipelineTables& tables, const std::string& origin) {
+  return std::none_of(claim.tables.begin(), claim.tables.end(), [&](const auto& table) {
+    return tables.find(origin, table.second) != nullptr;
+  });
+}
+
 }  // namespace
 
 PipelineTables::PipelineTables(const std::filesystem::path& list) {
@@ -64,6 +71,7 @@ std::vector<JudgedClaim> judge_claims(const Manifest& manifest, const PipelineTa
     for (const auto& claim : entry.claims) {
       JudgedClaim one{entry.id, &claim, {}};
       for (const auto& origin : origins) {
+        if (origin != shipped && nothing_computed(claim, tables, origin)) continue;
         Result& result = one.results[origin] = fitting::claims::judge(
             claim, [&](const std::string& name) { return tables.find(origin, name); });
         if (std::isnan(result.value) || !shapes_only(manifest, entry, origin)) continue;

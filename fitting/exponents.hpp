@@ -23,6 +23,10 @@ struct Exponent {
   Spread over_all;
   std::size_t variants;  ///< fitted ones, the default included
   Spread W;              ///< of the points of the default fit: how much of the range was measured
+  /// What the points' own errors sigma_i make of alpha, the rule and the points held:
+  /// sqrt(sum_i (d alpha/d y_i sigma_i)^2). NaN when a point has no error. The fit's standard
+  /// error, from the scatter about the line, is larger where the curve bends within the range.
+  double statistical_error;
 };
 
 /// One entry for every power-law fit and group whose default variant was fitted.

@@ -100,6 +100,7 @@ void make_fit(const CsvTable& table, const RowChoice& rows, FitResult& result) {
     data.y.push_back(point.y);
     data.weights.push_back(weight_of(point, result.variant, specification.y_error));
   }
+  result.weights = data.weights;
   result.fit = logarithms ? fit_log_log(data, specification.scale)
                           : fit_least_squares(specification.model, data, specification.scale);
   auto fitted = result.fit.fitted;

@@ -30,6 +30,7 @@ struct FitResult {
   Variant variant;
   RangeLimits range{};
   Measurements measurements;
+  std::vector<double> weights;  ///< of the points
   LeastSquaresFit fit;
   double correlation = 0;
   InformationCriterion criterion{};

@@ -7,8 +7,9 @@ using files::CsvTable;
 namespace {
 
 void add_parameters(const Head& head, const FitResult& result, CsvTable& table) {
-  const auto& [specification, labels, variant, range, measurements, fit, r, aic, runs, delta,
-               problem] = result;
+  const auto& specification = result.specification;
+  const auto& measurements = result.measurements;
+  const auto& fit = result.fit;
   const auto& model = specification.model;
   const auto units = model.units(measurements.x_unit, measurements.y_unit);
   for (std::size_t k = 0; k < fit.values.size(); ++k) {

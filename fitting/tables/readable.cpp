@@ -68,14 +68,15 @@ std::string fit_text(const FitResult& result) {
 
 std::string exponents_text(const FitReport& report) {
   std::string text;
-  for (const auto& [result, methods, ranges, all, variants, W] : exponents(report)) {
+  for (const auto& [result, methods, ranges, all, variants, W, error] : exponents(report)) {
     const auto& specification = result->specification;
     const auto& fit = result->fit;
     const std::size_t k = specification.model.nonlinear;
     text += formatted(
-        "%-34s %-10s %6.3f +- %.3f  methods %.3f..%.3f  ranges %.3f..%.3f  %s [%.3g, %.3g]%s, "
+        "%-34s %-10s %6.3f +- %.3f (scatter %.3f)  methods %.3f..%.3f  ranges %.3f..%.3f  %s "
+        "[%.3g, %.3g]%s, "
         "%zu points W %.3g..%.3g",
-        specification.id.c_str(), labels_text(result->labels).c_str(), fit.values[k],
+        specification.id.c_str(), labels_text(result->labels).c_str(), fit.values[k], error,
         fit.standard_error(k), methods.low, methods.high, ranges.low, ranges.high,
         specification.range.column.c_str(), result->range.from, result->range.to,
         specification.range.certain ? "" : " (uncertain)", result->measurements.points.size(),

@@ -7,10 +7,16 @@ namespace shakebed::fitting {
 
 using files::CsvTable;
 
+constexpr double normal_95 =
+    1.96;  ///< half-width of a normal distribution's 95 % [standard errors]
+
+/// `alpha_se` and the 95 % interval are what the points' own errors make of alpha; `scatter_se`
+/// is the standard error from the scatter about the line.
 CsvTable exponents_table(const Head& head, const FitReport& report) {
   CsvTable table = head.table({{"y", ""},
                                {"alpha", "1"},
                                {"alpha_se", "1"},
+                               {"scatter_se", "1"},
                                {"lower95", "1"},
                                {"upper95", "1"},
                                {"low_over_methods", "1"},
@@ -32,7 +38,7 @@ CsvTable exponents_table(const Head& head, const FitReport& report) {
                                {"reported", "1"},
                                {"reported_error", "1"},
                                {"source", ""}});
-  for (const auto& [result, methods, ranges, all, variants, W] : exponents(report)) {
+  for (const auto& [result, methods, ranges, all, variants, W, error] : exponents(report)) {
     const auto& specification = result->specification;
     const std::size_t alpha = specification.model.nonlinear;
     const auto printed = specification.reference.parameters.find("alpha");
@@ -40,9 +46,10 @@ CsvTable exponents_table(const Head& head, const FitReport& report) {
     head.add(table, *result,
              {specification.y,
               cell(result->fit.values[alpha]),
+              cell(error),
               cell(result->fit.standard_error(alpha)),
-              cell(result->fit.intervals[alpha].lower),
-              cell(result->fit.intervals[alpha].upper),
+              cell(result->fit.values[alpha] - normal_95 * error),
+              cell(result->fit.values[alpha] + normal_95 * error),
               cell(methods.low),
               cell(methods.high),
               cell(ranges.low),

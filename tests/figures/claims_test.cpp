@@ -52,6 +52,16 @@ TEST_CASE("Claims are judged over each origin by itself") {
   CHECK(verdict_of(judged, "paper") == "differs");
   CHECK(figures::claims_table(judged).rows() == 3);
   CHECK_THAT(figures::claims_text(judged), Contains("1 holds"));
+
+  // A profile that has computed nothing of what a claim needs is not mentioned; the shipped
+  // averages always are.
+  Results one_profile;
+  one_profile.add("paper", "1,1,0.1\n2,5,0.1\n");
+  const auto few =
+      figures::judge_claims(manifest, one_profile.tables(), {"shipped", "quick", "paper"});
+  CHECK(few.front().results.count("quick") == 0);
+  CHECK(verdict_of(few, "shipped") == "not decided");
+  CHECK(verdict_of(few, "paper") == "holds");
 }
 
 TEST_CASE("A changed verdict, a new and a lost claim are noticed") {
