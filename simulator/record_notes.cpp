@@ -35,16 +35,18 @@ const Estimate* estimate_of(const Record& record, const std::string& name) {
 }
 
 /// Grains of a shallow bed that bounce each in its own place, exactly upright, may never meet: a
-/// temperature without collisions, ten times that of a bed that has them.
-void warn_of_columns(Record& record, const Scene& scene) {
+/// temperature without collisions, ten times that of a bed that has them, and another for another
+/// start.
+void judge_columns(Record& record, const Scene& scene) {
   constexpr double none = 1e-9;
   const Estimate* T_x = estimate_of(record, "T_x");
   const Estimate* T_z = estimate_of(record, "T_z");
   if (T_x == nullptr || T_z == nullptr || record.at_rest || scene.grains.count < 2) return;
   if (T_x->mean > none * T_z->mean) return;
-  record.warnings.emplace_back(
+  record.stationary = false;
+  record.stationary_reason =
       "T_x is 0: the grains bounce upright, each in its own place, and never meet; take a wider "
-      "cell, more grains or another seed");
+      "cell, more grains or another seed";
 }
 
 }  // namespace
@@ -60,7 +62,7 @@ void warn(Record& record, const Scene& scene, const Parameters& p, const EnergyL
                   ledger.largest_overlap, p.stiffness);
     record.warnings.emplace_back(text);
   }
-  warn_of_columns(record, scene);
+  judge_columns(record, scene);
   if (scene.protocol.until && !record.at_rest) {
     for (const auto& q : record.quantities) {
       const auto& wanted = *scene.protocol.until;

@@ -109,6 +109,14 @@ TEST_CASE("verdict: simulated beds say why they are not stationary") {
     CHECK_FALSE(record.stationary);
     CHECK(record.stationary_reason.find("e = 1") != std::string::npos);
   }
+  SECTION("grains that never meet") {
+    scene.grains = {3, 0.6, 0.9, 0};  // a place of its own for each of them
+    scene.protocol.cycles = 100;
+    const auto record = simulator::simulate(scene);
+    CHECK_FALSE(record.at_rest);
+    CHECK_FALSE(record.stationary);
+    CHECK(record.stationary_reason.find("never meet") != std::string::npos);
+  }
   SECTION("long enough, it is") {
     scene.protocol.transient = 50;
     scene.protocol.cycles = 300;
