@@ -239,22 +239,34 @@ void read_snapshots(SceneValues& values, Scene& scene) {
   }
 }
 
-/// Grains that sink half a diameter into each other still have a temperature, of no granular bed.
+/// Why k_n is too small, or nothing. Grains that sink half a diameter into each other still have a
+/// temperature, of no granular bed; and on the lowest grains of a deep bed rests what is above.
+std::string too_soft(const Scene& scene) {
+  const double advised = automatic_stiffness(scene);
+  const double overlap = expected_largest_overlap(scene, bind_parameters(scene));
+  if (overlap > meaningless_overlap) {
+    return "overlaps of about " + number_text(std::round(100 * overlap) / 100) +
+           " d are to be expected; write at least " + number_text(std::round(advised / 100));
+  }
+  if (scene.grains.layers > usual_layers && *scene.contact.stiffness < advised / most_softness) {
+    return number_text(*scene.contact.stiffness) + " is too soft for " +
+           number_text(scene.grains.layers) +
+           " layers, whose weight and momentum rest on the lowest grains; write at least " +
+           number_text(std::ceil(advised / most_softness));
+  }
+  return "";
+}
+
 void check_softness(SceneValues& values, Scene& scene) {
   if (!scene.contact.stiffness || scene.cell.empty() || scene.grains.count == 0) return;
-  const double overlap = expected_largest_overlap(scene, bind_parameters(scene));
-  const bool soft = overlap > meaningless_overlap;
-  if (soft && !values.boolean("contact.allow_soft").value_or(false)) {
-    values.report("contact.stiffness",
-                  "`contact.stiffness`: overlaps of about " +
-                      number_text(std::round(100 * overlap) / 100) +
-                      " d are to be expected; write at least " +
-                      number_text(std::round(automatic_stiffness(scene) / 100)) +
-                      " (`auto` would take " + number_text(std::round(automatic_stiffness(scene))) +
-                      "), or allow_soft: true beside it");
+  const std::string why = too_soft(scene);
+  if (!why.empty() && !values.boolean("contact.allow_soft").value_or(false)) {
+    values.report("contact.stiffness", "`contact.stiffness`: " + why + " (`auto` would take " +
+                                           number_text(std::round(automatic_stiffness(scene))) +
+                                           "), or allow_soft: true beside it");
   }
   // Said of hard grains the permission changes nothing, so it is not part of the bed.
-  scene.contact.allow_soft = soft;
+  scene.contact.allow_soft = !why.empty();
 }
 
 void read_gravity(SceneValues& values, Scene& scene) {

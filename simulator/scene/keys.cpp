@@ -130,7 +130,8 @@ const std::vector<Key>& table() {
        "of about 1 % of d"},
       {"contact.allow_soft", boolean, "", any_value, {}, false, "false",
        "accept a k_n so small that overlaps of half a diameter are to be expected, where "
-       "temperatures look plausible and mean nothing"},
+       "temperatures look plausible and mean nothing, or under a quarter of `auto` for more than "
+       "four layers"},
       {"contact.tangential", word, "", any_value, {"frictionless"}, false,
        "viscous_coulomb with damping c_n if any friction is set, else frictionless",
        "frictionless, or a map with the keys below"},

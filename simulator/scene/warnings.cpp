@@ -65,7 +65,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& pa
   }
   const double advised = automatic_stiffness(scene);
   if (const auto k_n = scene.contact.stiffness;
-      k_n && scene.grains.layers > 4 && *k_n < advised / 2) {
+      k_n && scene.grains.layers > usual_layers && *k_n < advised / 2) {
     warn("contact.stiffness = " + rounded(*k_n) + " is soft for a bed of " +
          rounded(scene.grains.layers) +
          " layers at this V_p, whose weight and momentum rest on its " +

@@ -17,6 +17,11 @@ double expected_largest_overlap(const Scene& scene, const Parameters& parameters
 /// Above this [d] a scene is refused unless it says allow_soft.
 inline constexpr double meaningless_overlap = 0.5;
 
+/// Deeper beds than this [layers] are refused, unless they say allow_soft, when k_n is less than
+/// 1/most_softness of what `auto` takes: twenty layers on the k_n of four, for instance.
+inline constexpr double usual_layers = 4;
+inline constexpr double most_softness = 4;
+
 /// omega t_c [rad], t_c the longer of the contact durations: the share of the drive's cycle that
 /// one contact takes. Above about 0.1 the bed feels the softness of its contacts.
 double drive_angle_in_contact(const Scene& scene, const Parameters& parameters);

@@ -30,8 +30,8 @@ TEST_CASE("Each doubtful bed is warned of, its neighbour is not") {
   CHECK(warned({{"contact.stiffness", "2e3"}}, "overlaps"));
   CHECK_FALSE(warned({{"contact.stiffness", "2e5"}}, "overlaps"));
   CHECK(warned({{"contact.stiffness", "1e4"}}, "softness"));
-  // Twenty layers on the k_n that `auto` gives four (2e4 m V_p^2/d^2 at W = 22.36).
-  CHECK(warned({{"grains.layers", "20"}, {"contact.stiffness", "447200"}}, "bed of 20 layers"));
+  // Twelve layers on the k_n that `auto` gives four (2e4 m V_p^2/d^2 at W = 22.36).
+  CHECK(warned({{"grains.layers", "12"}, {"contact.stiffness", "447200"}}, "bed of 12 layers"));
   CHECK_FALSE(warned({{"grains.layers", "20"}, {"contact.stiffness", "2.3e6"}}, "layers"));
   CHECK_FALSE(warned({{"grains.layers", "4"}, {"contact.stiffness", "447200"}}, "layers"));
   CHECK(warned({{"base.drive.W", "0.99"}}, "stays at rest"));
@@ -69,6 +69,28 @@ TEST_CASE("Contacts that overlap by half a diameter are refused, softer by permi
       {{"base.drive.W", "9"}, {"contact.stiffness", "159"}, {"contact.allow_soft", "true"}});
   CHECK(soft.contact.allow_soft);
   CHECK_FALSE(tests::bed_with({{"contact.allow_soft", "true"}}).contact.allow_soft);
+}
+
+// `auto` takes 2e4 N/4 m V_p^2/d^2, so that twenty layers on the k_n of four have a fifth of it.
+TEST_CASE("Twenty layers on the stiffness of four are refused, softer by permission only") {
+  const auto faults = [](const char* layers, const char* k_n) {
+    return tests::faults_of(
+        tests::rough_bed,
+        {{"base.drive.W", "9"}, {"grains.layers", layers}, {"contact.stiffness", k_n}});
+  };
+  const auto refused = faults("20", "180000");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused.front().what, Catch::Contains("180000 is too soft for 20 layers") &&
+                                       Catch::Contains("at least 225000") &&
+                                       Catch::Contains("`auto` would take 9e+05"));
+  CHECK(faults("20", "225000").empty());
+  CHECK(faults("16", "180000").empty());
+  CHECK(faults("4", "2000").empty());
+  CHECK(tests::bed_with({{"base.drive.W", "9"},
+                         {"grains.layers", "20"},
+                         {"contact.stiffness", "180000"},
+                         {"contact.allow_soft", "true"}})
+            .contact.allow_soft);
 }
 
 }  // namespace
