@@ -68,7 +68,9 @@ int sweep_status_command(const SweepOptions& options) {
     std::printf(", about %s of one core to go",
                 sweeps::clock_text(status.predicted_cpu_seconds).c_str());
   }
-  std::printf("\ncache: %s\n", cache.folder().c_str());
+  std::printf("\ncached runs took %s of one core\n",
+              sweeps::clock_text(status.spent_cpu_seconds).c_str());
+  std::printf("cache: %s\n", cache.folder().c_str());
   for (const auto& failure : status.failures) std::printf("failed: %s\n", failure.c_str());
   say_problems(status.problems, "it will be made again");
   return 0;

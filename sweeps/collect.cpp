@@ -119,6 +119,7 @@ Status status_of(const Grid& grid, const store::Cache& cache) {
     const auto found = cache.find(run.identity);
     if (found.run) {
       ++status.cached;
+      status.spent_cpu_seconds += found.run->record.timing.cpu_seconds;
       continue;
     }
     ++status.missing;

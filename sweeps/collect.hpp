@@ -34,6 +34,7 @@ struct Status {
   std::size_t missing = 0;            ///< never run, interrupted, or not usable
   std::size_t failed = 0;             ///< tried and failed; part of the missing
   double predicted_cpu_seconds = 0;   ///< of the missing
+  double spent_cpu_seconds = 0;       ///< by the cached, on the machines that ran them
   std::vector<std::string> failures;  ///< point and message
   std::vector<std::string> problems;
 };

@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path folder = fs::path(SHAKEBED_SWEEPS_FOLDER) / "bhateja2016";
+const fs::path averages = fs::path(SHAKEBED_SWEEPS_FOLDER).parent_path() / "data" / "bhateja2016";
 
 /// Those over the canonical beds, each measured until T_z is known.
 std::vector<fs::path> sweep_files() {
@@ -59,7 +60,6 @@ std::string provenance_of(const files::CsvTable& table, const std::string& what)
 // Keys are made of scene, seed and physics version, so that their digest, which needs no run, tells
 // whether a table holds the beds that its sweep means today.
 TEST_CASE("Shipped averages are those of the sweeps and profiles they name") {
-  const fs::path shipped = folder.parent_path().parent_path() / "data" / "bhateja2016";
   std::map<std::string, fs::path> sweep_of;  // by the table's name
   for (const auto& file : sweep_files()) sweep_of[file.stem()] = file;
   for (const char* name : {"channel", "channel_weightless", "weightless"}) {
@@ -68,8 +68,8 @@ TEST_CASE("Shipped averages are those of the sweeps and profiles they name") {
   sweep_of["snapshot_beds"] = folder / "snapshots.yaml";
   std::size_t compared = 0;
   for (const auto& [name, file] : sweep_of) {
-    if (!fs::exists(shipped / (name + ".csv"))) continue;
-    const auto table = files::CsvTable::read(shipped / (name + ".csv"));
+    if (!fs::exists(averages / (name + ".csv"))) continue;
+    const auto table = files::CsvTable::read(averages / (name + ".csv"));
     const auto grid = sweeps::read_grid(file, provenance_of(table, "profile"));
     CAPTURE(name, grid.profile);
     const auto nothing_run = sweeps::collect(grid, sweeps::store::Cache(fs::path("no-cache-here")));
@@ -80,6 +80,60 @@ TEST_CASE("Shipped averages are those of the sweeps and profiles they name") {
     ++compared;
   }
   CHECK(compared >= 14);
+}
+
+/// Columns of a table, row by row.
+class Rows {
+ public:
+  explicit Rows(const files::CsvTable& table) : table_(table) {}
+  double operator()(std::size_t row, const std::string& column) const {
+    return table_.number(row, table_.column(column));
+  }
+  bool steady(std::size_t row) const {
+    return (*this)(row, "stationary") == 1 && (*this)(row, "at_rest") == 0;
+  }
+
+ private:
+  const files::CsvTable& table_;
+};
+
+TEST_CASE("Shipped averages of the paper profile are known to 0.5 %, or say that they are not") {
+  std::size_t checked = 0;
+  for (const auto& file : sweep_files()) {
+    const auto place = averages / file.filename().replace_extension(".csv");
+    if (!fs::exists(place)) continue;
+    const auto table = files::CsvTable::read(place);
+    if (provenance_of(table, "profile") != "paper") continue;
+    const Rows rows(table);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const auto reason = table.text(row, table.column("reason"));
+      CAPTURE(place.filename(), row, reason);
+      if (!rows.steady(row)) {
+        CHECK_FALSE(reason.empty());
+      } else if (!(rows(row, "T_z_se") <= 0.005 * rows(row, "T_z"))) {
+        CHECK(reason.find("% was asked for") != std::string::npos);
+      }
+      ++checked;
+    }
+  }
+  CHECK(checked > 0);
+}
+
+TEST_CASE("Shipped local temperatures are known to 3 % in each box with 1 % of the grains") {
+  std::size_t checked = 0;
+  for (const char* name : {"local.profiles.csv", "layers-local.profiles.csv"}) {
+    const auto table = files::CsvTable::read(averages / name);
+    if (provenance_of(table, "profile") != "paper") continue;
+    const Rows rows(table);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      if (!rows.steady(row)) continue;
+      if (rows(row, "grains_in_box") < 0.01 * rows(row, "grains")) continue;
+      CAPTURE(name, row, rows(row, "W"), rows(row, "z"), rows(row, "grains_in_box"));
+      CHECK(rows(row, "T_z_se") <= 0.03 * rows(row, "T_z"));
+      ++checked;
+    }
+  }
+  CHECK(checked > 0);
 }
 
 // A sample of each quick profile: its cheapest bed, for a few cycles.

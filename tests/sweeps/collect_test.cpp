@@ -72,6 +72,7 @@ TEST_CASE("What is missing is said and left empty") {
   const auto status = sweeps::status_of(grid, cache);
   CHECK(status.cached == 3);
   CHECK(status.missing == 3);
+  CHECK(status.spent_cpu_seconds == Approx(3 * pretended_cpu_seconds));
   CHECK(status.failed == 1);
   CHECK(status.predicted_cpu_seconds > 0);
   REQUIRE(status.failures.size() == 1);

@@ -42,11 +42,14 @@ class SmallSweep {
   TemporaryFolder folder;
 };
 
+inline constexpr double pretended_cpu_seconds = 1.5;
+
 /// What a bed would leave, as a function of its scene alone.
 inline simulator::Record pretended_record(const simulator::Scene& scene) {
   simulator::Record record;
   record.physics_version = simulator::physics_version;
   record.seed = scene.seed;
+  record.timing.cpu_seconds = pretended_cpu_seconds;
   record.dimension = scene.dimension;
   record.canonical_scene = simulator::canonical_yaml(scene);
   const double noise = std::sin(static_cast<double>(scene.seed % 1000));
