@@ -15,15 +15,16 @@ namespace shakebed::simulator {
 class Calendar {
  public:
   explicit Calendar(std::size_t count)
-      : times_((count + block - 1) / block * block, forever()),
-        earliest_((times_.size() / block + lane_count - 1) / lane_count * lane_count, forever()) {}
+      : block_(count <= 256 ? 16 : 64),
+        times_((count + block_ - 1) / block_ * block_, forever()),
+        earliest_((times_.size() / block_ + lane_count - 1) / lane_count * lane_count, forever()) {}
 
   double time(std::size_t i) const { return times_[i]; }
 
   void set(std::size_t i, double time) {
     times_[i] = time;
-    const std::size_t b = i / block;
-    earliest_[b] = least(&times_[b * block], block);
+    const std::size_t b = i / block_;
+    earliest_[b] = least(&times_[b * block_], block_);
     known_ = false;
   }
 
@@ -46,16 +47,22 @@ class Calendar {
   }
 
  private:
-  static constexpr std::size_t block = 64;
   static constexpr double forever() { return std::numeric_limits<double>::infinity(); }
 
   Entry find_earliest() const {
     const double time = least(earliest_.data(), earliest_.size());
-    const auto b = static_cast<std::size_t>(std::find(earliest_.begin(), earliest_.end(), time) -
-                                            earliest_.begin());
-    const auto first = times_.begin() + static_cast<std::ptrdiff_t>(b * block);
-    const auto k = std::find(first, first + block, time) - times_.begin();
-    return {static_cast<std::uint32_t>(k), time};
+    const std::size_t first = place_of(time, earliest_.data()) * block_;
+    return {static_cast<std::uint32_t>(first + place_of(time, &times_[first])), time};
+  }
+
+  /// Where `value`, which is there, stands first.
+  static std::size_t place_of(double value, const double* values) {
+    for (std::size_t k = 0;; k += lane_count) {
+      const auto equal = load_lanes(values + k) == value;
+      if (std::experimental::any_of(equal)) {
+        return k + static_cast<std::size_t>(std::experimental::find_first_set(equal));
+      }
+    }
   }
 
   static double least(const double* values, std::size_t count) {
@@ -66,6 +73,7 @@ class Calendar {
     return std::experimental::hmin(best);
   }
 
+  std::size_t block_;
   std::vector<double> times_;
   std::vector<double> earliest_;
   Entry earliest_entry_{};  ///< kept while grains on the grid are stepped and no event changes

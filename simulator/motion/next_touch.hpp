@@ -134,8 +134,13 @@ inline double next_base_touch(double z0, double v0, double gravity, const BaseMo
   const double omega = 2 * 3.14159265358979323846 / period;
   const double bend = gravity + base.peak_velocity * omega;
   double t = from;
-  const double above = z0 + v0 * t - 0.5 * gravity * t * t - grain_radius - base.amplitude;
+  const auto above_at = [&](double time) {
+    return z0 + (v0 - 0.5 * gravity * time) * time - grain_radius - base.amplitude;
+  };
+  const double above = above_at(from);
   if (above > 0) {
+    // A parabola is nowhere lower than at both of its ends.
+    if (until < never && above_at(until) > 0) return never;
     const double v = v0 - gravity * t;
     if (gravity > 0) {
       t += (v + std::sqrt(v * v + 2 * gravity * above)) / gravity;
