@@ -27,6 +27,16 @@ concept Mover = requires(M mover, long steps) {
   { mover.energy() } -> std::same_as<double>;
 };
 
+/// The mover's own sums, if it keeps them.
+template <class AnyMover>
+auto moments_now(AnyMover& mover) {
+  if constexpr (requires { mover.moments(); }) {
+    return mover.moments();
+  } else {
+    return moments_of(mover.synchronised());
+  }
+}
+
 inline double thread_cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -251,7 +261,8 @@ class Protocol {
         done = take_snapshots(done, next, discarded_ + measurement.cycles());
       mover_.advance(next - done);
       done = next;
-      measurement.sample(mover_.synchronised());
+      measurement.sample(moments_now(mover_));
+      if (measurement.profile_is_due()) measurement.sample_profile(mover_.synchronised());
     }
     measurement.end_cycle(mover_.ledger());
   }

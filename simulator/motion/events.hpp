@@ -81,6 +81,9 @@ class EventEngine {
   }
 
   const GrainState& synchronised();
+  /// Sums over grains as they are now; flights' are carried along, so that asking costs nothing
+  /// per grain.
+  Moments<D> moments();
   EnergyLedger& ledger() {
     book_ongoing();
     return ledger_;
@@ -119,6 +122,14 @@ class EventEngine {
   BaseState base_at(double t) const { return physics_.base.at(epoch_phase() + t / period()); }
   BaseState base_at_step(long step) const {
     return physics_.base_at_step(step % physics_.steps_per_cycle);
+  }
+
+  /// The most a flight's speed grows until the next rebase, and then some.
+  double gained_in_epoch() const {
+    return physics_.gravity * period() * 2 / static_cast<double>(epochs_per_cycle);
+  }
+  bool is_open(const Ongoing& contact) const {
+    return contact.end() > std::max(time_of(step_), over_until_);
   }
 
   void advance_to(long target);
@@ -173,6 +184,7 @@ class EventEngine {
   void run_dense(long target);
   void leave_dense();
 
+  static constexpr long epochs_per_cycle = 16;
   static constexpr long look_window = 24;  ///< steps between a row's looks around
 
   Physics physics_;

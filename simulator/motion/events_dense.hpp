@@ -10,9 +10,8 @@ template <class Physics>
 void EventEngine<Physics>::enter_dense() {
   const double t = time_of(step_);
   while (true) {
-    const auto open = std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
-      return contact.end() > std::max(t, over_until_);
-    });
+    const auto open = std::find_if(ongoing_.begin(), ongoing_.end(),
+                                   [&](const Ongoing& contact) { return is_open(contact); });
     if (open == ongoing_.end()) break;
     undo(open->i);
   }
@@ -104,8 +103,9 @@ const typename Physics::GrainState& EventEngine<Physics>::synchronised() {
     }
     return state_;
   }
+  if (epoch_step_ != step_) rebase();
   const auto n = static_cast<std::ptrdiff_t>(count_);
-  for (int c = 0; c < D; ++c) {  // the epoch is now
+  for (int c = 0; c < D; ++c) {
     std::copy_n(flights_.position[c].begin(), n, state_.position[c].begin());
     std::copy_n(flights_.velocity[c].begin(), n, state_.velocity[c].begin());
   }
@@ -119,6 +119,28 @@ const typename Physics::GrainState& EventEngine<Physics>::synchronised() {
     write(row.id, {row.grain.position(), row.grain.velocity_now(dt), row.grain.spin_now(dt)});
   }
   return state_;
+}
+
+template <class Physics>
+Moments<EventEngine<Physics>::D> EventEngine<Physics>::moments() {
+  if (dense_) return moments_of(synchronised());
+  const double t = time_of(step_);
+  auto sums = flights_.moments_at(t);
+  const auto correct = [&](std::uint32_t i, const Motion& now) {
+    const auto flight = motion_of(i, t);
+    sums.add(flight.x[vertical], flight.v, -1);
+    sums.add(now.x[vertical], now.v);
+  };
+  for (const auto& contact : ongoing_) {
+    if (!is_open(contact)) continue;
+    const auto now = motions_now(contact);
+    correct(contact.i, now.i);
+    if (contact.j != Ongoing::with_base) correct(contact.j, now.j);
+  }
+  for (const auto& row : fine_.rows) {
+    sums.add(row.grain.x[vertical], row.grain.velocity_now(physics_.time_step));
+  }
+  return sums;
 }
 
 template <class Physics>

@@ -28,7 +28,7 @@ void EventEngine<Physics>::advance_to(long target) {
     }
   }
   step_ = target;
-  if (!dense_) rebase();
+  if (!dense_ && step_ - epoch_step_ >= physics_.steps_per_cycle / epochs_per_cycle) rebase();
 }
 
 template <class Physics>
@@ -43,7 +43,7 @@ void EventEngine<Physics>::rebase() {
   for (const auto& contact : ongoing_) largest_stray_ = std::max(largest_stray_, stray_[contact.i]);
   epoch_step_ = step_;
   last_event_time_ = -never;
-  fastest_flight_ = flights_.fastest() + physics_.gravity * period() / 32;
+  fastest_flight_ = flights_.fastest() + gained_in_epoch();
 }
 
 template <class Physics>
@@ -128,7 +128,7 @@ void EventEngine<Physics>::launch(std::uint32_t i, const Motion& motion, double 
   flights_.set(i, motion.x, motion.v, t);
   search_.enter(i, motion.x);
   set_row(flights_.spin, i, motion.spin);
-  fastest_flight_ = std::max(fastest_flight_, motion.v.norm() + physics_.gravity * period() / 32);
+  fastest_flight_ = std::max(fastest_flight_, motion.v.norm() + gained_in_epoch());
   ++generation_[i];
 }
 

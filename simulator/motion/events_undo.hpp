@@ -10,9 +10,8 @@ namespace shakebed::simulator {
 /// now, and the ledger keeps only what has happened.
 template <class Physics>
 void EventEngine<Physics>::undo(std::uint32_t grain) {
-  const double t = time_of(step_);
   const auto found = std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& contact) {
-    return contact.involves(grain) && contact.end() > std::max(t, over_until_);
+    return contact.involves(grain) && is_open(contact);
   });
   const Ongoing contact = *found;
   ongoing_.erase(found);

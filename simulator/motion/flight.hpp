@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulator/dimension.hpp"
+#include "simulator/grains/moments.hpp"
 #include "simulator/lanes.hpp"
 
 namespace shakebed::simulator {
@@ -67,8 +68,10 @@ class Flights {
     v[vertical] += gravity_ * t;
     Vector<D> origin = x - t * v;
     origin[vertical] += 0.5 * gravity_ * t * t;
+    forget(i);
     set_row(position, i, origin);
     set_row(velocity, i, v);
+    at_epoch_.add(origin[vertical], v);
     valid_from[i] = t;
     aloft_[i] = 1;
   }
@@ -76,6 +79,7 @@ class Flights {
   /// Grain i is not in flight.
   void remove(std::size_t i) {
     constexpr double nowhere = 1e18;
+    forget(i);
     for (auto& column : position) column[i] = 0;
     for (auto& column : velocity) column[i] = 0;
     position[vertical][i] = nowhere;
@@ -95,7 +99,11 @@ class Flights {
     const double* __restrict aloft = aloft_.data();
     for (std::size_t i = 0; i < padded(); ++i) v[i] -= gravity_ * T * aloft[i];
     for (double& t : valid_from) t -= T;
+    at_epoch_ = sums_at_epoch();
   }
+
+  /// Of all flights at time t, as their parabolas say (also before `valid_from`).
+  Moments<D> moments_at(double t) const { return at_epoch_.after_flight(t, gravity_); }
 
   /// Largest speed at the epoch. (Absent grains are at rest.)
   double fastest() const {
@@ -112,6 +120,26 @@ class Flights {
   }
 
  private:
+  void forget(std::size_t i) {
+    if (present(i)) at_epoch_.add(position[vertical][i], row(velocity, i), -1);
+  }
+
+  /// Afresh, so that what adding and taking away leaves in rounding does not pile up.
+  Moments<D> sums_at_epoch() const {
+    Moments<D> sums;
+    for (int c = 0; c < D; ++c) {
+      const auto [sum, square] = sums_of(velocity[c]);
+      sums.velocity[c] = sum;
+      sums.square[c] = square;
+    }
+    const auto [height, count] = sums_in_parts(padded(), [&](std::size_t i) {
+      return std::array{aloft_[i] * position[vertical][i], aloft_[i]};
+    });
+    sums.height = height;
+    sums.count = count;
+    return sums;
+  }
+
   void make_room() {
     const std::size_t rows = (count_ + lane_count - 1) / lane_count * lane_count;
     resize(position, rows);
@@ -124,6 +152,7 @@ class Flights {
   std::size_t count_;
   double gravity_;
   std::vector<double> aloft_;  ///< 1 in flight, 0 absent
+  Moments<D> at_epoch_;        ///< of those in flight
 };
 
 }  // namespace shakebed::simulator

@@ -123,16 +123,38 @@ void HeightProfile<D>::fold_instant() {
 }
 
 template <int D>
-void HeightProfile<D>::spread_volume(std::size_t box, double offset) {
-  // A grain of diameter d in boxes of depth d reaches into one neighbour, above or below.
-  const double outside =
-      offset > 0 ? 1 - part_below_quickly<D>(0.5 - offset) : part_below_quickly<D>(-0.5 - offset);
-  current_[box * stride_ + volume] += 1 - outside;
-  if (offset > 0) {
-    current_[(box + 1) * stride_ + volume] += outside;
-  } else if (box > 0) {
-    current_[(box - 1) * stride_ + volume] += outside;
+void HeightProfile<D>::sample(const std::vector<double>& z, const Columns<D>& velocity,
+                              const BaseState& origin, std::size_t phase) {
+  constexpr int vertical = Dimension<D>::vertical;
+  const double highest = *std::max_element(z.begin(), z.end()) - origin.height - lowest_;
+  const auto boxes = static_cast<std::size_t>(std::max(highest, 0.0)) + 2;
+  if (boxes > boxes_) grow(boxes);
+  double* const all = (local_mean_ == LocalMean::instant ? instant_ : current_).data();
+  double* const volumes = current_.data() + volume;
+  const std::size_t of_phase = first_of_phases + phase * (1 + D);
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const double above = z[i] - origin.height - lowest_;
+    const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
+    double* sums = all + box * stride_;
+    sums[0] += 1;
+    for (int c = 0; c < D; ++c) {
+      const double v = velocity[c][i] - (c == vertical ? origin.velocity : 0);
+      sums[1 + 2 * c] += v;
+      sums[2 + 2 * c] += v * v;
+      if (local_mean_ == LocalMean::phase) sums[of_phase + 1 + static_cast<std::size_t>(c)] += v;
+    }
+    if (local_mean_ == LocalMean::phase) sums[of_phase] += 1;
+
+    // A grain of diameter d in boxes of depth d reaches into one neighbour, above or below: no
+    // branch, as nobody can guess which. What is below the lowest box is dropped.
+    const double offset = above - static_cast<double>(box) - 0.5;
+    const double outside = part_below_quickly<D>(std::abs(offset) - 0.5);
+    const std::size_t neighbour = offset > 0 ? box + 1 : box - (box > 0 ? 1 : 0);
+    volumes[box * stride_] += 1 - outside;
+    volumes[neighbour * stride_] += neighbour == box ? 0 : outside;
   }
+  if (local_mean_ == LocalMean::instant) fold_instant();
+  ++samples_;
 }
 
 template <int D>

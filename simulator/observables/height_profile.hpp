@@ -39,26 +39,7 @@ class HeightProfile {
   /// `phase` counts from 0 within a cycle.
   template <class GrainState>
   void sample(const GrainState& grains, const BaseState& origin = {0, 0}, std::size_t phase = 0) {
-    constexpr int vertical = Dimension<D>::vertical;
-    Sums& target = local_mean_ == LocalMean::instant ? instant_ : current_;
-    const std::size_t of_phase = first_of_phases + phase * (1 + D);
-    for (std::size_t i = 0; i < grains.count(); ++i) {
-      const double above = grains.position[vertical][i] - origin.height - lowest_;
-      const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
-      if (box + 2 > boxes_) grow(box + 2);
-      double* sums = target.data() + box * stride_;
-      sums[0] += 1;
-      for (int c = 0; c < D; ++c) {
-        const double v = grains.velocity[c][i] - (c == vertical ? origin.velocity : 0);
-        sums[1 + 2 * c] += v;
-        sums[2 + 2 * c] += v * v;
-        if (local_mean_ == LocalMean::phase) sums[of_phase + 1 + static_cast<std::size_t>(c)] += v;
-      }
-      if (local_mean_ == LocalMean::phase) sums[of_phase] += 1;
-      spread_volume(box, above - static_cast<double>(box) - 0.5);
-    }
-    if (local_mean_ == LocalMean::instant) fold_instant();
-    ++samples_;
+    sample(grains.position[Dimension<D>::vertical], grains.velocity, origin, phase);
   }
 
   void end_cycle();
@@ -79,9 +60,10 @@ class HeightProfile {
   static constexpr std::size_t most_blocks = 32;
   using Sums = std::vector<double>;
 
+  void sample(const std::vector<double>& z, const Columns<D>& velocity, const BaseState& origin,
+              std::size_t phase);
   void grow(std::size_t boxes);
   void fold_instant();
-  void spread_volume(std::size_t box, double offset);
   double height_below_which(const Sums& sums, double fraction) const;
   double local_temperature(const Sums& sums, double samples, std::size_t box, int component) const;
   std::vector<double> volume_averages(const Sums& sums, double height, double samples) const;

@@ -24,12 +24,18 @@ class Measurement {
  public:
   Measurement(const Scene& scene, double rest_height);
 
+  /// One of the cycle's equal phases.
+  void sample(const Moments<D>& moments) {
+    temperature_.sample(moments);
+    ++sampled_phases_;
+  }
+
+  /// A grain moves 0.4 A from one sixteenth of a cycle to the next: in boxes of depth d there is
+  /// nothing to learn between them, and profiles are the dear part of a sample.
+  bool profile_is_due() const { return sampled_phases_ % (phases_per_cycle / profile_phases) == 0; }
+
   template <class GrainState>
-  void sample(const GrainState& grains) {
-    temperature_.sample(grains);
-    // A grain moves 0.4 A from one sixteenth of a cycle to the next: in boxes of depth d there is
-    // nothing to learn between them, and profiles are the dear part of a sample.
-    if (++sampled_phases_ % (phases_per_cycle / profile_phases) != 0) return;
+  void sample_profile(const GrainState& grains) {
     const BaseState origin = origin_now();
     profile_.sample(grains, origin);
     const auto phase = static_cast<std::size_t>(

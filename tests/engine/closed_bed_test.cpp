@@ -58,6 +58,39 @@ TEST_CASE("the ledger of closed beds closes in every interval") {
   }
 }
 
+// What observables sum over grains, carried along with the flights, against the sums over the state
+// itself: at steps of no rhythm, so that some fall into contacts, flights between epochs and grains
+// on the grid. T_c = (m/2) <(v_c - <v_c>)^2> (Bhateja 2016, Eq. 5) is a difference of these sums.
+TEST_CASE("the sums carried along are those of the grains") {
+  using Rough3D = BedPhysics<3, ViscousCoulomb>;
+  using Smooth2D = BedPhysics<2, Frictionless>;
+  const auto check = [](auto mover, const Scene& scene) {
+    constexpr int D = std::decay_t<decltype(mover.moments())>::vertical + 1;
+    double worst = 0;
+    for (int look = 0; look < 2000; ++look) {
+      mover.advance(37 + look % 11);
+      const auto carried = mover.moments();
+      const auto afresh = moments_of(mover.synchronised());
+      for (int c = 0; c < D; ++c) {
+        worst = std::max({worst, std::abs(carried.velocity[c] - afresh.velocity[c]),
+                          std::abs(carried.square[c] - afresh.square[c]) / afresh.square[c]});
+      }
+      worst = std::max({worst, std::abs(carried.height - afresh.height) / afresh.height,
+                        std::abs(carried.count - afresh.count)});
+    }
+    INFO("W = " << scene.W());
+    CHECK(worst < 1e-9);
+  };
+  for (const double W : {2.0, 5.6, 89.0}) {
+    for (const auto contacts : {ContactOperator::closed, ContactOperator::fine}) {
+      auto scene = canonical(3, W, 0.4);
+      check(engine<Rough3D>(scene, contacts), scene);
+      scene = canonical(2, W, 0);
+      check(engine<Smooth2D>(scene, contacts), scene);
+    }
+  }
+}
+
 // Two grains meet head on with friction: one stride against the fine grid at a very small step.
 // The closed form is of first order in the turn of the line of centres, u_t t_c / d = 0.006 here.
 TEST_CASE("a lone oblique collision comes out as the fine one") {

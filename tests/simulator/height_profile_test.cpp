@@ -313,9 +313,9 @@ TEST_CASE("temperature: half the variance over grains, and half the mean square 
   grains.velocity[0] = {1, 2, 3, 4};
   grains.velocity[1] = {5, 5, 5, 5};
   grains.position[1] = {0, 1, 2, 5};
-  sums.sample(grains);
+  sums.sample(simulator::moments_of(grains));
   for (auto& v : grains.velocity[0]) v = 0;
-  sums.sample(grains);
+  sums.sample(simulator::moments_of(grains));
   const auto averages = sums.take();  // T_x, T_z, T_x_lab, T_z_lab, h_cm
   REQUIRE(averages.size() == 5);
   CHECK(averages[0] == Approx(0.5 * 1.25 / 2));
@@ -323,7 +323,7 @@ TEST_CASE("temperature: half the variance over grains, and half the mean square 
   CHECK(averages[2] == Approx(0.5 * 7.5 / 2));
   CHECK(averages[3] == Approx(0.5 * 25));
   CHECK(averages[4] == Approx(2));
-  sums.sample(grains);
+  sums.sample(simulator::moments_of(grains));
   CHECK(sums.take()[0] == 0);  // taking starts afresh
 }
 
