@@ -6,6 +6,7 @@
 #include "cli/check_lines.hpp"
 #include "simulator/contact/column_parameters.hpp"
 #include "simulator/grains/sized_grains.hpp"
+#include "simulator/scene/warnings.hpp"
 #include "sweeps/cost_model.hpp"
 
 namespace shakebed::cli {
@@ -68,19 +69,6 @@ void print_contacts(const simulator::ColumnParameters& parameters) {
   line("", "m_eff [m], k_n and k_t [m g/d], gamma [sqrt(g/d)], t_c [sqrt(d/g)]");
 }
 
-void print_warnings(const simulator::ColumnParameters& parameters) {
-  for (const auto& kind : parameters.kinds) {
-    if (std::isinf(kind.contact_duration)) {
-      line("warning", kind.name +
-                          " contacts are over-damped: grains stick together until they are "
-                          "pulled apart; lower gamma_n or raise the stiffness");
-    } else if (kind.restitution < 0.1) {
-      line("warning",
-           kind.name + " contacts are close to over-damped: e = " + rounded(kind.restitution));
-    }
-  }
-}
-
 }  // namespace
 
 files::CsvTable column_contacts(const Scene& scene) {
@@ -122,7 +110,7 @@ void print_column_scene(const std::string& name, const Scene& scene) {
        "pack and relax, then " + std::to_string(scene.protocol.cycles.value_or(1)) + " cycles");
   line("cost", "about " + rounded(std::round(sweeps::predicted_cpu_seconds(scene))) +
                    " CPU seconds on one core (a guess)");
-  print_warnings(parameters);
+  for (const auto& warning : simulator::column_warnings(parameters)) line("warning", warning);
 }
 
 }  // namespace shakebed::cli

@@ -13,6 +13,7 @@
 #include "simulator/observables/column_series.hpp"
 #include "simulator/observables/column_snapshot.hpp"
 #include "simulator/observables/snapshot.hpp"
+#include "simulator/record_notes.hpp"
 #include "simulator/scene/read_scene.hpp"
 
 namespace shakebed::simulator {
@@ -83,6 +84,7 @@ class ColumnRun {
                         column.has_large);
     record.snapshots = std::move(snapshots_);
     record.stationary_reason = "a transient is followed from a packed bed at rest";
+    warn_of_column(record, scene_, mover_.counters().largest_overlap);
   }
 
  private:

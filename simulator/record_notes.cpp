@@ -49,19 +49,28 @@ void judge_columns(Record& record, const Scene& scene) {
       "cell, more grains or another seed";
 }
 
+void warn_of_softness(Record& record, double largest_overlap, double stiffness) {
+  constexpr double soft = 0.1;
+  if (largest_overlap <= soft) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "largest overlap %.3g d: contacts this soft change the bed; raise "
+                "contact.stiffness (now %.3g m g/d)",
+                largest_overlap, stiffness);
+  record.warnings.emplace_back(text);
+}
+
 }  // namespace
+
+void warn_of_column(Record& record, const Scene& scene, double largest_overlap) {
+  record.warnings = column_warnings(bind_column(scene));
+  warn_of_softness(record, largest_overlap, scene.column->grain.normal_stiffness);
+}
 
 void warn(Record& record, const Scene& scene, const Parameters& p, const EnergyLedger& ledger) {
   char text[240];
   record.warnings = scene_warnings(scene, p);
-  constexpr double soft = 0.1;
-  if (ledger.largest_overlap > soft) {
-    std::snprintf(text, sizeof text,
-                  "largest overlap %.3g d: contacts this soft change the bed; raise "
-                  "contact.stiffness (now %.3g m g/d)",
-                  ledger.largest_overlap, p.stiffness);
-    record.warnings.emplace_back(text);
-  }
+  warn_of_softness(record, ledger.largest_overlap, p.stiffness);
   judge_columns(record, scene);
   if (scene.protocol.until && !record.at_rest) {
     for (const auto& q : record.quantities) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "simulator/grains/sized_grains.hpp"
 
@@ -28,7 +29,8 @@ ColumnParameters bind_column(const Scene& scene) {
   }
   p.contact_duration = p.kinds.front().contact_duration;
   for (const auto& kind : p.kinds) {
-    p.contact_duration = std::min(p.contact_duration, kind.contact_duration);
+    p.contact_duration = std::min(
+        {p.contact_duration, kind.contact_duration, std::numbers::pi / kind.spring.normal_rate});
   }
   const double period = scene.base.drive.period();
   const double wanted =

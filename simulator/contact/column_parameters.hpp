@@ -18,9 +18,11 @@ struct ColumnContactKind {
 
 struct ColumnParameters {
   std::vector<ColumnContactKind> kinds;
-  double contact_duration;  ///< of the shortest kind [sqrt(d/g)]
-  double time_step;         ///< [sqrt(d/g)]; divides the drive's period
-  long steps_per_cycle;     ///< a multiple of column_phases
+  /// What the step must resolve [sqrt(d/g)]: t_c of the shortest kind, or pi/gamma_n where that is
+  /// shorter (an over-damped contact has no t_c, but its dashpot stops a grain in about 1/gamma_n).
+  double contact_duration;
+  double time_step;      ///< [sqrt(d/g)]; divides the drive's period
+  long steps_per_cycle;  ///< a multiple of column_phases
 };
 
 /// Equal phases of a cycle at which a bed in a container is looked at.

@@ -16,6 +16,7 @@ using files::number_text;
 
 constexpr double standard_gravity = 9.81;       // m/s2, when units.gravity is not given
 constexpr double coarse_time_step = 0.2;        // of t_c
+constexpr double coarse_in_container = 0.05;    // of t_c; no contact there is in closed form
 constexpr double whole_count_tolerance = 1e-6;  // relative; layers are written with few digits
 const std::vector<std::string> until_quantities{"T_z", "T_x", "T_y", "T"};
 
@@ -192,12 +193,14 @@ void read_protocol(SceneValues& values, Scene& scene) {
 
   const std::string fraction = "protocol.time_step.fraction_of_contact_duration";
   protocol.time_step_fraction = values.number(fraction).value_or(protocol.time_step_fraction);
-  const bool coarse = protocol.time_step_fraction > coarse_time_step;
+  const double coarsest = values.given("container") ? coarse_in_container : coarse_time_step;
+  const bool coarse = protocol.time_step_fraction > coarsest;
   const bool allowed = values.boolean("protocol.time_step.allow_coarse").value_or(false);
   if (coarse && !allowed) {
     values.report(fraction, "a time step of " + number_text(protocol.time_step_fraction) +
-                                " t_c resolves a contact with fewer than 5 steps; write at most "
-                                "0.2, or allow_coarse: true beside it");
+                                " t_c resolves a contact with fewer than " +
+                                number_text(1 / coarsest) + " steps; write at most " +
+                                number_text(coarsest) + ", or allow_coarse: true beside it");
   }
   // Said of a fine step the permission changes nothing, so it is not part of the bed.
   protocol.allow_coarse_time_step = coarse;
@@ -271,6 +274,10 @@ void check_softness(SceneValues& values, Scene& scene) {
 
 void read_gravity(SceneValues& values, Scene& scene) {
   scene.gravity = values.number("gravity").value_or(1);
+  if (scene.gravity == 0 && values.given("container")) {
+    values.report("gravity", "`gravity: 0`: a bed in a container, which is open above, needs 1");
+    return;
+  }
   if (scene.gravity != 0 && scene.gravity != 1) {
     scene.gravity = 1;
     values.report("gravity",

@@ -28,6 +28,9 @@ constexpr std::array only_in_container{"grains.sizes",
                                        "protocol.contact_velocities",
                                        "protocol.snapshots.from_cycle"};
 constexpr std::array not_in_container{"contact.allow_soft",
+                                      "lid",
+                                      "side_walls",
+                                      "base.moves_along",
                                       "cell",
                                       "cell_mm",
                                       "grains.layers",
@@ -99,12 +102,13 @@ void read_large(SceneValues& values, ColumnScene& column, std::optional<double> 
   column.large_density = density ? *density / small_density : ratio.value_or(1);
   // A small grain must be able to pass beside it, or it is a piston.
   const double room = column.diameter - column.large_diameter;
-  if (room < column.largest) {
+  if (room < column.largest && column.diameter >= 2 * column.largest) {
     values.report("grains.large",
                   "a large grain of " + number_text(column.large_diameter) +
                       " d leaves no room for a small one beside it in a cylinder of " +
                       number_text(column.diameter) + " d; it may have at most " +
-                      number_text(column.diameter - column.largest) + " d");
+                      number_text(std::floor(100 * (column.diameter - column.largest)) / 100) +
+                      " d");
   }
 }
 
@@ -154,7 +158,7 @@ void read_springs(SceneValues& values, Scene& scene) {
 /// The large grain sinks in by its weight where the base pushes hardest, M (g + A omega^2)/k_n.
 void check_large_overlap(SceneValues& values, const Scene& scene) {
   const ColumnScene& column = *scene.column;
-  if (!column.has_large || values.refused("contact.stiffness")) return;
+  if (!column.has_large || !scene.contact.stiffness || scene.gravity == 0) return;
   const double mass = column.large_density * std::pow(column.large_diameter, 3);
   const double k_n = std::min(column.grain.normal_stiffness, column.wall.normal_stiffness);
   const double overlap = mass * (1 + scene.Gamma()) / k_n;
@@ -176,7 +180,7 @@ void read_time_step(SceneValues& values, Scene& scene) {
                   "given; keep one");
   }
   const auto p = bind_column(scene);
-  constexpr double coarsest = 1.0 / 20;  // of t_c
+  constexpr double coarsest = 1.0 / 20;  // of t_c; as for fraction_of_contact_duration
   constexpr double advised = 1.0 / 25;
   const bool allowed = values.boolean("protocol.time_step.allow_coarse").value_or(false);
   const bool coarse = p.time_step > coarsest * p.contact_duration;

@@ -102,4 +102,20 @@ std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& pa
   return warnings;
 }
 
+std::vector<std::string> column_warnings(const ColumnParameters& parameters) {
+  constexpr double little = 0.1;
+  std::vector<std::string> warnings;
+  for (const auto& kind : parameters.kinds) {
+    if (std::isinf(kind.contact_duration)) {
+      warnings.push_back(kind.name +
+                         " contacts are over-damped: grains stick together until they are pulled "
+                         "apart; lower gamma_n or raise the stiffness");
+    } else if (kind.restitution < little) {
+      warnings.push_back(kind.name +
+                         " contacts are close to over-damped: e = " + rounded(kind.restitution));
+    }
+  }
+  return warnings;
+}
+
 }  // namespace shakebed::simulator

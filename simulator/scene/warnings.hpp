@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "simulator/contact/column_parameters.hpp"
 #include "simulator/contact/parameters.hpp"
 #include "simulator/scene/scene.hpp"
 
@@ -28,5 +29,8 @@ double drive_angle_in_contact(const Scene& scene, const Parameters& parameters);
 
 /// What a user should know before trusting this bed, though it can be simulated.
 std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& parameters);
+
+/// The same of a bed in a container: kinds of contact that are over-damped, or nearly.
+std::vector<std::string> column_warnings(const ColumnParameters& parameters);
 
 }  // namespace shakebed::simulator

@@ -1,30 +1,14 @@
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <string>
+
+#include "tests/scenes/program.hpp"
 
 // The program as a user calls it: exit codes, and that faults are told on standard error.
 namespace {
 
-struct Outcome {
-  int code;
-  std::string output;  ///< standard output and standard error
-};
+using shakebed::tests::Outcome;
 
-Outcome shakebed(const std::string& arguments) {
-  const std::string command = "'" SHAKEBED_PROGRAM "' " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Outcome outcome{0, ""};
-  char buffer[4096];
-  while (const std::size_t got = fread(buffer, 1, sizeof buffer, pipe)) {
-    outcome.output.append(buffer, got);
-  }
-  const int status = pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
-}
+Outcome shakebed(const std::string& arguments) { return shakebed::tests::shakebed_says(arguments); }
 
 const std::string rough = "'" SHAKEBED_SOURCE_FOLDER "/scenes/rough_3d.yaml'";
 const std::string smooth = "'" SHAKEBED_SOURCE_FOLDER "/scenes/smooth_2d.yaml'";
