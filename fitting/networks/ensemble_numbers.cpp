@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -70,6 +71,56 @@ void add_fit(Numbers& numbers, const ForceFit& fit, const std::string& method) {
   numbers.add("beta_" + method, "1/mean force", good ? fit.law.beta : none);
 }
 
+/// Share of forces f >= 0 below a multiple of the mean; bins are cut in proportion.
+double share_below(const ForceDistribution& of, double f) {
+  const ForceHistogram& histogram = of.histogram;
+  if (histogram.total == 0) return none;
+  double below = 0;
+  for (std::size_t bin = 0; bin < histogram.bins(); ++bin) {
+    const double part = (f - histogram.edges[bin]) / histogram.width(bin);
+    below += std::clamp(part, 0.0, 1.0) * static_cast<double>(histogram.counts[bin]);
+  }
+  return below / static_cast<double>(histogram.total);
+}
+
+double theta_of(const ForceDistribution& of) {
+  const ForceFit& fit = of.shifted_by_likelihood;
+  return fit.good() ? fit.law.theta : none;
+}
+
+/// Mean of F over 0.5 to 3 d.
+double near_correlation(const ForceCorrelation& of) {
+  double sum = 0, bins = 0;
+  for (std::size_t k = 0; k < of.F.size(); ++k) {
+    if (of.r(k) < 0.5 || of.r(k) > 3 || std::isnan(of.F[k])) continue;
+    sum += of.F[k];
+    ++bins;
+  }
+  return bins > 0 ? sum / bins : none;
+}
+
+/// What passes 1 .. p capture against all contacts, bed by bed: both hold mostly the same forces,
+/// so that over replicas ratio and difference are known far better than their parts.
+void add_passes_against_all(Numbers& numbers, const Analysis& analysis) {
+  const ForceFit& plain = analysis.all.by_likelihood;
+  for (std::size_t p = 0; p < analysis.by_pass.size(); ++p) {
+    const auto& pass = analysis.by_pass[p];
+    const auto number = std::to_string(p + 1);
+    const ForceFit& shifted = pass.shifted_by_likelihood;
+    numbers.add("theta_" + number, "mean force", theta_of(pass));
+    numbers.add("theta_less_all_" + number, "mean force", theta_of(pass) - theta_of(analysis.all));
+    numbers.add("beta_over_all_" + number, "1",
+                shifted.good() && plain.good() ? shifted.law.beta / plain.law.beta : none);
+    numbers.add("weak_over_all_" + number, "1",
+                share_below(pass, 0.5) / share_below(analysis.all, 0.5));
+    numbers.add("below_mean_over_all_" + number, "1",
+                share_below(pass, 1) / share_below(analysis.all, 1));
+    numbers.add(
+        "F_near_over_all_" + number, "1",
+        near_correlation(analysis.correlation[p]) / near_correlation(analysis.correlation.back()));
+  }
+}
+
 void add_correlation(Numbers& numbers, const ForceCorrelation& found) {
   double plateau = 0, bins = 0, peak = 0, at = none, at_three = none;
   for (std::size_t k = 0; k < found.F.size(); ++k) {
@@ -100,11 +151,7 @@ std::vector<NamedNumber> numbers_of(const Analysis& analysis) {
   add_passes(numbers, analysis.contacting);
   add_fit(numbers, analysis.all.by_histogram, "histogram");
   add_fit(numbers, analysis.all.by_likelihood, "likelihood");
-  for (std::size_t pass = 0; pass < analysis.by_pass.size(); ++pass) {
-    const auto& fit = analysis.by_pass[pass].shifted_by_likelihood;
-    numbers.add("theta_" + std::to_string(pass + 1), "mean force",
-                fit.good() ? fit.law.theta : none);
-  }
+  add_passes_against_all(numbers, analysis);
   add_correlation(numbers, analysis.correlation.back());
   return numbers.all;
 }

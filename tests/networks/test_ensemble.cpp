@@ -105,6 +105,23 @@ TEST_CASE("the distribution of an ensemble integrates to one, set by set") {
   CHECK(weak["pass 5"] == Approx(weak["all"]).margin(0.02));
   const auto& correlation = named(tables, "correlation");
   CHECK(correlation.rows() == 6 * 60);
+
+  // Bed by bed, the ratio's mean is that of the parts to first order, and its error far smaller.
+  const auto& cycle = named(tables, "cycle");
+  CHECK(cycle.numbers("weak_over_all_1")[0] == Approx(weak["pass 1"] / weak["all"]).epsilon(0.03));
+  CHECK(cycle.numbers("below_mean_over_all_5")[0] == Approx(1).margin(0.01));
+  std::map<std::string, double> near;
+  for (std::size_t row = 0; row < correlation.rows(); ++row) {
+    const double r = correlation.number(row, correlation.column("r"));
+    if (r < 0.5 || r > 3) continue;
+    near[correlation.text(row, correlation.column("set"))] +=
+        correlation.number(row, correlation.column("F"));
+  }
+  for (const char* pass : {"1", "3"}) {
+    CHECK(cycle.numbers(std::string("F_near_over_all_") + pass)[0] ==
+          Approx(near[std::string("pass ") + pass] / near["all"]).epsilon(0.03));
+  }
+  CHECK(cycle.numbers("theta_less_all_1")[0] > cycle.numbers("theta_less_all_5")[0]);
 }
 
 TEST_CASE("what Sun 2006 prints of the passes is Eq. 13 with its shifts") {

@@ -1,15 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "files/atomic_file.hpp"
 #include "tests/column/physics.hpp"
-#include "tests/oracle/column_deck.hpp"
 #include "tests/oracle/lammps.hpp"
+#include "tests/oracle/lammps_bed.hpp"
 
 // Beds in a shaken cylinder, grain by grain against LAMMPS' gran/hooke/history: 1000 steps from one
 // state without contact memory, with LAMMPS' half-step velocities in the contact laws.
@@ -27,44 +22,6 @@ struct Case {
   double radius;
   int count;
 };
-
-void write_deck(const std::filesystem::path& folder, const Case& one, const LinearColumn& physics,
-                const SizedGrains& grains) {
-  write_data(folder / "bed.data", grains);
-  std::ofstream deck(folder / "deck.in");
-  write_deck_head(deck, physics, one.grain, one.wall, one.radius, 0.3);
-  deck << "dump d all custom " << steps
-       << " out.txt id x y z vx vy vz omegax omegay omegaz\n"
-          "dump_modify d sort id format float %.17g\nthermo 1000\nrun "
-       << steps << '\n';
-}
-
-SizedGrains run_lammps_bed(const std::filesystem::path& folder, const SizedGrains& start) {
-  const std::string command = "cd '" + folder.string() +
-                              "' && OMP_NUM_THREADS=1 lmp -in deck.in -nocite -log none "
-                              "> screen.txt 2>&1";
-  if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error("lmp failed:\n" + shakebed::files::read_text(folder / "screen.txt"));
-  }
-  SizedGrains end = start;
-  std::ifstream out(folder / "out.txt");
-  std::size_t next = start.count();
-  for (std::string line; std::getline(out, line);) {
-    if (line.starts_with("ITEM: ATOMS")) {
-      next = 0;  // the last frame wins
-      continue;
-    }
-    if (next >= start.count()) continue;
-    std::istringstream in(line);
-    std::size_t id = 0;
-    in >> id;
-    for (auto* columns : {&end.position, &end.velocity, &end.spin}) {
-      for (auto& column : *columns) in >> column[id - 1];
-    }
-    ++next;
-  }
-  return end;
-}
 
 /// A bed that falls on the base, is thrown and rubs along the wall, some time after the first blow.
 SizedGrains bed_in_motion(const LinearColumn& physics, const Case& one, long first_step) {
@@ -100,12 +57,7 @@ TEST_CASE("Beds in a cylinder move grain by grain as LAMMPS moves them", "[colum
     // LAMMPS' walls start at their lowest: our three quarters of a cycle.
     const long first = physics.steps_per_cycle * 7 / 4;
     const auto start = bed_in_motion(physics, one, first);
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "shakebed-column-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    write_deck(pattern, one, physics, start);
-    const auto theirs = run_lammps_bed(pattern, start);
-    std::filesystem::remove_all(pattern);
+    const auto theirs = run_lammps_bed(physics, one.grain, one.wall, start, steps);
 
     ColumnStepper<LinearColumn> fast(physics, start, first);
     ColumnReference<LinearColumn> plain(physics, start, first);

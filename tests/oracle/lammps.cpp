@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/lammps_column_deck.hpp"
 #include "cli/lammps_deck.hpp"
 #include "files/atomic_file.hpp"
 
@@ -62,6 +63,18 @@ CycleAverages read_averages(const fs::path& file) {
   return averages;
 }
 
+CycleAverages run_deck(const std::string& deck, const std::string& written) {
+  const ScratchFolder scratch;
+  files::write_text(scratch.path() / "deck.in", deck);
+  const std::string command = "cd '" + scratch.path().string() +
+                              "' && OMP_NUM_THREADS=1 lmp -in deck.in -nocite -log none "
+                              "> screen.txt 2>&1";
+  if (std::system(command.c_str()) != 0) {
+    throw std::runtime_error("lmp failed:\n" + last_words(scratch.path() / "screen.txt"));
+  }
+  return read_averages(scratch.path() / written);
+}
+
 }  // namespace
 
 bool lammps_is_here() {
@@ -73,21 +86,19 @@ bool lammps_is_here() {
 CycleAverages run_lammps(const simulator::Scene& scene, std::uint64_t seed) {
   simulator::Scene seeded = scene;
   seeded.seed = seed;
-  const ScratchFolder scratch;
-  files::write_text(scratch.path() / "deck.in", cli::lammps_deck(seeded, "oracle test"));
-  const std::string command = "cd '" + scratch.path().string() +
-                              "' && OMP_NUM_THREADS=1 lmp -in deck.in -nocite -log none "
-                              "> screen.txt 2>&1";
-  if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error("lmp failed:\n" + last_words(scratch.path() / "screen.txt"));
-  }
-  auto averages = read_averages(scratch.path() / "lammps_averages.txt");
+  auto averages = run_deck(cli::lammps_deck(seeded, "oracle test"), "lammps_averages.txt");
   const auto wanted = static_cast<std::size_t>(scene.protocol.cycles.value_or(0));
   if (averages["T_z"].size() != wanted) {
     throw std::runtime_error("lmp wrote " + std::to_string(averages["T_z"].size()) +
                              " cycles, not " + std::to_string(wanted));
   }
   return averages;
+}
+
+CycleAverages run_lammps_column(const simulator::Scene& scene, std::uint64_t seed) {
+  simulator::Scene seeded = scene;
+  seeded.seed = seed;
+  return run_deck(cli::lammps_column_deck(seeded, "oracle test"), "lammps_column.txt");
 }
 
 }  // namespace shakebed::tests

@@ -19,4 +19,7 @@ bool lammps_is_here();
 /// Throws with LAMMPS' last words when it fails. Safe to call from several threads at once.
 CycleAverages run_lammps(const simulator::Scene& scene, std::uint64_t seed);
 
+/// The same of a bed in a container, whose deck writes rows at equal phases of each cycle.
+CycleAverages run_lammps_column(const simulator::Scene& scene, std::uint64_t seed);
+
 }  // namespace shakebed::tests
