@@ -1,6 +1,8 @@
 # The large grain with background damping, initial height 55 d0, at integer T. The experiment of the paper is not printed; sun2006-experiment holds a user's points.
 load 'style.gp'
 load 'rise.gp'
+stats heights_rise using (column(heights_rise_grains)) nooutput
+set label 8 sprintf('%d small grains', STATS_max) at screen 0.55, 0.975 center font ',11'
 set multiplot
 set lmargin at screen 0.11
 set rmargin at screen 0.97

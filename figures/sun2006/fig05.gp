@@ -1,6 +1,10 @@
 # The large grain with interstitial air (initial height 43 d0) and among grains of several sizes (55 d0), at integer T.
 load 'style.gp'
 load 'rise.gp'
+stats air_rise using (column(air_rise_grains)) nooutput
+set label 8 sprintf('%d small grains', STATS_max) at screen 0.28, 0.975 center font ',11'
+stats sizes_rise using (column(sizes_rise_grains)) nooutput
+set label 9 sprintf('%d small grains', STATS_max) at screen 0.78, 0.975 center font ',11'
 set multiplot
 set lmargin at screen 0.07
 set rmargin at screen 0.485
