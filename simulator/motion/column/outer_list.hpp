@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "simulator/motion/column/row_store.hpp"
@@ -57,8 +59,7 @@ class OuterList {
         keep_if_near(rows, i, j);
       }
     }
-    std::sort(pairs_.begin(), pairs_.end(),
-              [](const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+    sort_pairs(n);
     list_by_row(n);
     built_at_.resize(n);
     for (std::size_t i = 0; i < n; ++i) built_at_[i] = rows.seen[i].position;
@@ -84,6 +85,22 @@ class OuterList {
     if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < reach * reach) pairs_.push_back({i, j});
   }
 
+  /// In rising order of i, then j: by counting, as i's are many and each has few.
+  void sort_pairs(std::size_t n) {
+    first_.assign(n + 1, 0);
+    for (const auto& pair : pairs_) ++first_[pair.i + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    unsorted_.swap(pairs_);
+    pairs_.resize(unsorted_.size());
+    next_ = first_;
+    for (const auto& pair : unsorted_) pairs_[next_[pair.i]++] = pair;
+    const auto begin = pairs_.begin();
+    for (std::size_t i = 0; i < n; ++i) {
+      std::sort(begin + first_[i], begin + first_[i + 1],
+                [](const Pair& a, const Pair& b) { return a.j < b.j; });
+    }
+  }
+
   void list_by_row(std::size_t n) {
     first_.assign(n + 1, 0);
     for (const auto& pair : pairs_) {
@@ -92,10 +109,10 @@ class OuterList {
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     of_row_.resize(2 * pairs_.size());
-    auto next = first_;
+    next_ = first_;
     for (std::uint32_t k = 0; k < pairs_.size(); ++k) {
-      of_row_[next[pairs_[k].i]++] = k;
-      of_row_[next[pairs_[k].j]++] = k;
+      of_row_[next_[pairs_[k].i]++] = k;
+      of_row_[next_[pairs_[k].j]++] = k;
     }
   }
 
@@ -106,7 +123,9 @@ class OuterList {
   Columns<3> position_;
   std::vector<NeighbourPair<3>> near_;
   std::vector<Pair> pairs_;
+  std::vector<Pair> unsorted_;
   std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> next_;
   std::vector<std::uint32_t> of_row_;
   std::vector<Four> built_at_;
 };
