@@ -1,6 +1,7 @@
 # Fig. 8: 20 instants of each cycle; (a) first replica of each, (b) mu_wall = 0.5 and the base.
 load 'style.gp'
 load 'rise.gp'
+unset offsets
 set multiplot
 set lmargin at screen 0.07
 set rmargin at screen 0.485

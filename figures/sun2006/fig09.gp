@@ -2,6 +2,7 @@
 # -g, and T = 10.85, where the paper sees the bed land.
 load 'style.gp'
 load 'rise.gp'
+unset offsets
 stats beds using (column(beds_V_p)) nooutput name 'V_p'
 set multiplot
 set xrange [10:11]

@@ -1,6 +1,7 @@
 # Fig. 10: first replicas; 2 contacts over grains, walls not counted (dashed in (b): counted).
 load 'style.gp'
 load 'rise.gp'
+unset offsets
 set multiplot
 set ylabel 'coordination number {/:Italic Z}' offset 1.5
 set xrange [10:*<20]

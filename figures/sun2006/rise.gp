@@ -6,6 +6,7 @@ set ylabel 'height of the large grain  [{/:Italic d}_0]' offset 1
 set key left top Left reverse samplen 1.5 font ',12'
 set xrange [0:*]
 set yrange [0:*]
+set offsets 0, 0, graph 0.3, 0  # room for the key
 set tmargin at screen 0.95
 set bmargin at screen 0.14
 # Height where a row belongs to this value and replica.
