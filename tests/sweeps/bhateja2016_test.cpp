@@ -156,6 +156,27 @@ TEST_CASE("A bed of every quick profile moves and is measured") {
   }
 }
 
+// The same of the beds with walls (Figs 5 and 6) and of those that are drawn (Fig. 3).
+TEST_CASE("A bed of the quick profiles of Figs 3, 5 and 6 moves and is measured") {
+  for (const char* name : {"snapshots", "channel", "channel_weightless", "weightless"}) {
+    const auto quick = sweeps::read_grid(folder / (std::string(name) + ".yaml"), "quick");
+    auto scene = std::ranges::min_element(quick.points, {}, [](const sweeps::Point& point) {
+                   return sweeps::predicted_cpu_seconds(point.scene);
+                 })->scene;
+    CAPTURE(name, scene.base.drive.peak_velocity());
+    scene.protocol.until.reset();
+    scene.protocol.cycles = 2;
+    scene.protocol.transient = 1;
+    const auto record = simulator::simulate(scene);
+    CHECK(mean_of(record, "T_z") > 0);
+    CHECK(mean_of(record, "T_x") > 0);
+    CHECK(record.snapshots.size() == (scene.protocol.snapshots.phases.empty() ? 0 : 1));
+    double grains = 0;
+    for (const double here : record.profile.columns[0].mean) grains += here;
+    CHECK(grains == Approx(scene.grains.count).epsilon(1e-9));
+  }
+}
+
 // A box's mean velocity over all time is zero in a steady bed, so that the boxes' temperatures,
 // each times its grains, add up to the lab's; over 1000 cycles what is left of the mean is 1 % or
 // less.
