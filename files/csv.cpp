@@ -242,4 +242,14 @@ std::optional<double> number_from_text(std::string_view text) {
   return value;
 }
 
+std::optional<double> share_from_percent_text(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  text.remove_suffix(1);
+  if (const auto last = text.find_last_not_of(' '); last != std::string_view::npos) {
+    text = text.substr(0, last + 1);
+  }
+  const auto percents = number_from_text(text);
+  return percents ? std::optional(*percents / 100) : std::nullopt;
+}
+
 }  // namespace shakebed::files

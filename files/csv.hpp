@@ -60,4 +60,7 @@ std::string rounded_text(double value, int digits);
 /// The double that the whole of `text` spells in decimal, or nothing. Out of range is nothing too.
 std::optional<double> number_from_text(std::string_view text);
 
+/// The share that "1 %" or "1%" spells, 0.01, or nothing.
+std::optional<double> share_from_percent_text(std::string_view text);
+
 }  // namespace shakebed::files

@@ -19,10 +19,8 @@ using simulator::Record;
 constexpr double open_ledger = 0.01;  // of what was dissipated
 
 double percentage(const YamlNode& node) {
-  const auto text = node.as_string();
-  const auto number = files::number_from_text(text.substr(0, text.find(' ')));
-  if (!text.ends_with(" %") || !number) throw node.error("expected a percentage such as 5 %");
-  return *number / 100;
+  if (const auto share = files::share_from_percent_text(node.as_string())) return *share;
+  throw node.error("expected a percentage such as 5 %");
 }
 
 ExtremeCase read_case(const YamlNode& node, const std::filesystem::path& folder,

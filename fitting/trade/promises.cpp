@@ -15,11 +15,8 @@ constexpr double promised = 0.95;
 
 double share_of(const CsvTable& runs, std::size_t row) {
   const auto& text = runs.text(row, runs.column("asked"));
-  const auto number = files::number_from_text(text.substr(0, text.find(' ')));
-  if (!number || !text.ends_with(" %")) {
-    throw files::bad_input(runs.place(row), "expected a percentage in `asked`, got `" + text + "`");
-  }
-  return *number / 100;
+  if (const auto share = files::share_from_percent_text(text)) return *share;
+  throw files::bad_input(runs.place(row), "expected a percentage in `asked`, got `" + text + "`");
 }
 
 std::size_t reference_row(const CsvTable& references, const std::string& scene) {

@@ -46,9 +46,10 @@ std::pair<std::optional<double>, std::string> number_and_unit(const YamlNode& no
 }
 
 double percentage(const Key& key, const YamlNode& node) {
-  const auto [value, unit] = number_and_unit(node);
-  if (!value || unit != "%") throw expected(node, "a percentage such as `1 %`");
-  return in_range(key, *value, node) / 100;
+  const auto share = files::share_from_percent_text(node.is_scalar() ? node.as_string() : "");
+  if (!share) throw expected(node, "a percentage such as `1 %`");
+  in_range(key, 100 * *share, node);
+  return *share;
 }
 
 double quantity(const Key& key, const YamlNode& node) {
