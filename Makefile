@@ -19,7 +19,7 @@ else ifeq ($(PROFILE),standard)
 else
   $(error PROFILE is quick, standard (of sun2006) or paper, not "$(PROFILE)")
 endif
-with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016 bhateja2016-% sun2006 sun2006-% trade trade-bias trade-pareto trade-orders-table,$1),$(suffix))
+with_profile = $1$(if $(filter main-job report sweep-% fit-% bhateja2016 bhateja2016-% sun2006 sun2006-% trade trade-bias trade-pareto trade-orders-table trade-column-table,$1),$(suffix))
 
 sources = $(shell git ls-files -- '*.cpp' '*.hpp')
 

@@ -205,6 +205,8 @@ void add_trade(CLI::App& app, Action& action) {
   trade->add_option("--laws", options->laws, "With --bounds: write each scene's bias law here")
       ->type_name("FILE")
       ->needs(bounds);
+  trade->add_option("--alpha", options->alpha,
+                    "With --bounds: write the exponent alpha at each setting here");
   auto* verify = trade->add_option("--verify", options->verify,
                                    "Run nothing: how many runs of this table (scene, asked, T_z) "
                                    "kept their promise");

@@ -59,6 +59,7 @@ struct TradeOptions {
   std::optional<std::filesystem::path> verify;      ///< runs whose promises to check instead
   std::optional<std::filesystem::path> references;  ///< with `verify`
   std::optional<std::filesystem::path> laws;        ///< with `bounds`: the bias laws go here
+  std::optional<std::filesystem::path> alpha;       ///< with `bounds`: exponents by setting go here
   std::optional<std::filesystem::path> csv;
 };
 int trade_command(const TradeOptions& options);

@@ -9,12 +9,14 @@
 #include "cli/commands.hpp"
 #include "cli/overrides.hpp"
 #include "files/error.hpp"
+#include "fitting/trade/alpha_bias.hpp"
 #include "fitting/trade/bias_law.hpp"
 #include "fitting/trade/promises.hpp"
 #include "simulator/simulate.hpp"
 #include "sweeps/collect.hpp"
 #include "sweeps/progress.hpp"
 #include "sweeps/stop_signals.hpp"
+#include "sweeps/trade_column.hpp"
 
 namespace shakebed::cli {
 namespace {
@@ -27,6 +29,8 @@ simulator::Record not_timed() {
   record.timing.cpu_seconds_measuring = std::nan("");
   return record;
 }
+
+bool in_container(const Grid& grid) { return grid.points.front().scene.column.has_value(); }
 
 /// The beds of one scene, then their timing.
 files::CsvTable study(const std::filesystem::path& scene, const Grid& grid,
@@ -55,18 +59,30 @@ files::CsvTable study(const std::filesystem::path& scene, const Grid& grid,
     }
   };
   const auto seconds = sweeps::time_in_turns(scenes, options.rounds, timed);
+  if (in_container(grid)) return sweeps::column_trade_table(grid.id, grid, cache, seconds);
   return sweeps::trade_table(grid.id, grid, collected.table, seconds);
 }
 
-void print(const files::CsvTable& table) {
-  std::printf("%-18s %-11s %6s %10s %19s %19s %12s %12s\n", "scene", "axis", "value", "T_z",
-              "bias of T_z [%]", "bias of h_cm [%]", "s/1000 cyc", "s for 1 %");
+struct Shown {
+  const char* name;
+  const char* heading;
+};
+
+/// Setting, first quantity, biases of two, cost.
+void print(const files::CsvTable& table, const Shown& first, const Shown& second) {
+  std::printf("%-18s %-11s %6s %10s %19s %19s %12s %12s\n", "scene", "axis", "value", first.heading,
+              ("bias of " + std::string(first.heading) + " [%]").c_str(),
+              ("bias of " + std::string(second.heading) + " [%]").c_str(), "s/1000 cyc",
+              "s for 1 %");
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto number = [&](const char* name) { return table.number(row, table.column(name)); };
+    const auto number = [&](const std::string& name) {
+      return table.number(row, table.column(name));
+    };
+    const std::string a = first.name, b = second.name;
     std::printf("%-18s %-11s %6s %10.4g %9.2f +- %-6.2f %9.2f +- %-6.2f %12.3g %12.3g\n",
                 table.text(row, 0).c_str(), table.text(row, 1).c_str(), table.text(row, 2).c_str(),
-                number("T_z"), number("T_z_bias"), number("T_z_bias_se"), number("h_cm_bias"),
-                number("h_cm_bias_se"), number("seconds_per_1000_cycles"),
+                number(a), number(a + "_bias"), number(a + "_bias_se"), number(b + "_bias"),
+                number(b + "_bias_se"), number("seconds_per_1000_cycles"),
                 number("seconds_for_1_percent"));
   }
 }
@@ -89,6 +105,9 @@ int bounds_command(const TradeOptions& options) {
                 law.degrees_of_freedom);
   }
   if (options.laws) fitting::trade::law_table(laws).write(*options.laws);
+  if (options.alpha) {
+    fitting::trade::alpha_table(fitting::trade::alpha_biases(trade)).write(*options.alpha);
+  }
   if (options.csv) {
     table.write(*options.csv);
   } else {
@@ -120,6 +139,10 @@ int trade_command(const TradeOptions& options) {
   std::vector<Grid> grids;
   for (const auto& scene : options.scenes) {
     grids.push_back(sweeps::trade_grid(scene, overrides, profile));
+    if (in_container(grids.back()) == in_container(grids.front())) continue;
+    throw files::bad_input(scene.string(),
+                           "beds in a container are measured by other quantities than periodic "
+                           "ones; study them apart");
   }
   const sweeps::store::Cache cache(sweeps::store::Cache::place(options.cache));
   const StopSignals signals;
@@ -141,7 +164,11 @@ int trade_command(const TradeOptions& options) {
     }
     if (options.csv) all.write(*options.csv);
   }
-  print(all);
+  if (in_container(grids.front())) {
+    print(all, {"rise_rate", "rise rate"}, {"coordination", "Z"});
+  } else {
+    print(all, {"T_z", "T_z"}, {"h_cm", "h_cm"});
+  }
   return 0;
 }
 

@@ -58,7 +58,8 @@ Physics bind_column_physics(const Scene& scene, double time_step, long steps_per
                  time_step,
                  steps_per_cycle,
                  column.frame == ContainerFrame::co_moving,
-                 column.predict_velocities};
+                 column.predict_velocities,
+                 column.list_skin};
 }
 
 /// What the packing of a bed goes by: its container shaken fast and gently, no drag, in the
@@ -71,6 +72,7 @@ inline Scene packing_scene(const Scene& scene) {
   column.background_damping = column.air_damping = 0;
   column.frame = ContainerFrame::co_moving;
   column.predict_velocities = true;
+  column.list_skin = ColumnScene().list_skin;
   column.time_step.reset();
   packed.protocol.time_step_fraction = 0.04;
   return packed;

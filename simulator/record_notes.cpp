@@ -45,8 +45,24 @@ void judge_columns(Record& record, const Scene& scene) {
   if (T_x->mean > none * T_z->mean) return;
   record.stationary = false;
   record.stationary_reason =
-      "T_x is 0: the grains bounce upright, each in its own place, and never meet; take a wider "
-      "cell, more grains or another seed";
+      "T_x is 0: the grains bounce upright, each in its own place, and never meet; let the base "
+      "move before they have settled (protocol.settle: 0), or take more grains";
+}
+
+/// Half of what makes a bed not stationary.
+void warn_of_ledger(Record& record, const EnergyLedger& ledger) {
+  constexpr double doubtful = 0.01;
+  for (const auto& scalar : record.scalars) {
+    if (scalar.name != "ledger_residual" || !record.stationary || record.at_rest) continue;
+    const double open = std::abs(scalar.value) / ledger.dissipation;
+    if (!(open > doubtful)) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "the energy ledger is open by %.2g %% of what was dissipated, and T_z off by as "
+                  "much or more; take a smaller time step",
+                  100 * open);
+    record.warnings.emplace_back(text);
+  }
 }
 
 void warn_of_softness(Record& record, double largest_overlap, double stiffness) {
@@ -72,6 +88,7 @@ void warn(Record& record, const Scene& scene, const Parameters& p, const EnergyL
   record.warnings = scene_warnings(scene, p);
   warn_of_softness(record, ledger.largest_overlap, p.stiffness);
   judge_columns(record, scene);
+  warn_of_ledger(record, ledger);
   if (scene.protocol.until && !record.at_rest) {
     for (const auto& q : record.quantities) {
       const auto& wanted = *scene.protocol.until;

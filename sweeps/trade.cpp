@@ -5,6 +5,8 @@
 
 #include "files/error.hpp"
 #include "simulator/contact/parameters.hpp"
+#include "sweeps/trade_column.hpp"
+#include "sweeps/trade_parts.hpp"
 
 namespace shakebed::sweeps {
 namespace {
@@ -22,6 +24,8 @@ constexpr double hardest = 30;  // times the scene's k_n
 constexpr double quick_loss = 6;
 constexpr long quick_at_most = 600;
 
+constexpr int column_replicates = 16;
+
 /// Every bias carries the error of what it is compared with.
 void measure_twice_as_well(Scene& scene) {
   if (scene.protocol.until) scene.protocol.until->fraction /= 2;
@@ -34,6 +38,13 @@ void set_steps(Scene& scene, double steps_in_contact) {
 
 void set_stiffness(Scene& scene, double factor) {
   scene.contact.stiffness = factor * bind_parameters(scene).stiffness;
+}
+
+/// As many cycles as a grain thrown at V_p takes for so many flights.
+void measure_flights(Scene& scene, double flights) {
+  const double cycles = std::max(1.0, scene.flight_time() / scene.base.drive.period());
+  scene.protocol.until.reset();
+  scene.protocol.cycles = std::lround(std::ceil(flights * cycles));
 }
 
 /// Stiffness is kept: that of `auto` does not depend on the cell, but the text should not either.
@@ -57,28 +68,10 @@ bool can_widen(const Scene& scene, double factor) {
   return std::abs(grains - std::round(grains)) < 1e-6;
 }
 
-class Points {
- public:
-  Points(Grid& grid, const Scene& base) : grid_(grid), base_(base) {}
-
-  template <class Change>
-  void add(const std::string& axis, double value, Change change) {
-    Point point;
-    point.labels = {axis, number_text(value)};
-    point.scene = base_;
-    change(point.scene);
-    grid_.points.push_back(std::move(point));
-  }
-
- private:
-  Grid& grid_;
-  const Scene& base_;
-};
-
 void add_settings(Grid& grid, const Scene& base, bool all) {
   using Values = std::vector<double>;
   const Values steps = all ? Values{5, 7, 10, 14, 20, 50} : Values{5, 10, 50};
-  Points points(grid, base);
+  TradePoints points(grid, base);
   points.add("reference", reference_steps, measure_twice_as_well);
   for (const double n : steps) {
     points.add("dt stepped", n, [n](Scene& scene) {
@@ -101,6 +94,9 @@ void add_settings(Grid& grid, const Scene& base, bool all) {
       if (factor == hardest) measure_twice_as_well(scene);
     });
   }
+  for (const double flights : all ? Values{30, 120, 480} : Values{30}) {
+    points.add("cycles", flights, [flights](Scene& scene) { measure_flights(scene, flights); });
+  }
   for (const double factor : {0.5, 2.0}) {
     if (!all || !can_widen(base, factor)) continue;
     points.add("cell", factor, [factor](Scene& scene) {
@@ -110,39 +106,17 @@ void add_settings(Grid& grid, const Scene& base, bool all) {
   }
 }
 
-struct Mean {
-  double value;
-  double error;
-};
-
-Mean mean_of(const files::CsvTable& table, std::size_t row, const std::string& name) {
+simulator::Estimate mean_of(const files::CsvTable& table, std::size_t row,
+                            const std::string& name) {
   return {table.number(row, table.column(name)), table.number(row, table.column(name + "_se"))};
-}
-
-/// 100 (x/x_0 - 1) and its standard error, the two being independent.
-Mean bias_percent(const Mean& x, const Mean& reference) {
-  const double ratio = x.value / reference.value;
-  const double error =
-      std::abs(ratio) * std::hypot(x.error / x.value, reference.error / reference.value);
-  return {100 * (ratio - 1), 100 * error};
-}
-
-/// The row that an axis is compared with: the hardest grains for k_n, else the reference.
-std::size_t compared_with(const Grid& grid, const std::string& axis) {
-  if (axis != "k_n") return 0;
-  std::size_t last = 0;  // k_n ascends
-  for (std::size_t k = 0; k < grid.points.size(); ++k) {
-    if (grid.points[k].labels[0] == "k_n") last = k;
-  }
-  return last;
 }
 
 const std::vector<std::string> observed{"T_z", "T_x", "h_cm"};
 
 std::vector<files::CsvColumn> table_columns() {
-  std::vector<files::CsvColumn> columns{{"scene", ""},      {"axis", ""},   {"value", "1"},
-                                        {"dimension", "1"}, {"rough", "1"}, {"W", "1"},
-                                        {"layers", "1"},    {"grains", "1"}};
+  std::vector<files::CsvColumn> columns{
+      {"scene", ""}, {"axis", ""},    {"value", "1"},  {"dimension", "1"},   {"rough", "1"},
+      {"W", "1"},    {"layers", "1"}, {"grains", "1"}, {"restitution", "1"}, {"amplitude", "d"}};
   for (const auto& name : observed) {
     const std::string unit = name == "h_cm" ? "d" : "m g d";
     columns.push_back({name, unit});
@@ -165,6 +139,23 @@ std::vector<files::CsvColumn> table_columns() {
   return columns;
 }
 
+/// What a trade study of a periodic bed changes its settings from.
+Scene with_defaults(Scene base, const std::filesystem::path& file, bool all) {
+  if (base.walled()) {
+    throw files::bad_input(file.string(),
+                           "a trade study compares engines and contact operators, which a bed with "
+                           "a lid or side walls has only one of; take a periodic bed");
+  }
+  base.protocol.engine = Engine::events;
+  base.protocol.contacts = ContactOperator::closed;
+  set_steps(base, reference_steps);
+  if (!all) {
+    if (base.protocol.until) base.protocol.until->fraction *= quick_loss;
+    base.protocol.at_most = std::min(base.protocol.at_most, quick_at_most);
+  }
+  return base;
+}
+
 }  // namespace
 
 TradeProfile trade_profile(const std::string& word) {
@@ -175,33 +166,26 @@ TradeProfile trade_profile(const std::string& word) {
 
 Grid trade_grid(const std::filesystem::path& file, const std::vector<simulator::Override>& set,
                 TradeProfile profile) {
-  Scene base = simulator::read_scene(file, set);
-  if (base.column || base.walled()) {
-    throw files::bad_input(file.string(),
-                           "a trade study compares engines and contact operators, which a bed with "
-                           "a container, a lid or side walls has only one of; take a periodic bed");
-  }
-  base.protocol.engine = Engine::events;
-  base.protocol.contacts = ContactOperator::closed;
-  set_steps(base, reference_steps);
+  const Scene base = simulator::read_scene(file, set);
   const bool all = profile == TradeProfile::shipped;
-  if (!all) {
-    if (base.protocol.until) base.protocol.until->fraction *= quick_loss;
-    base.protocol.at_most = std::min(base.protocol.at_most, quick_at_most);
-  }
   Grid grid;
   grid.id = file.stem().string();
   grid.profile = all ? "shipped" : "quick";
   grid.columns = {{"axis", ""}, {"value", "1"}};
-  grid.replicates = 1;
-  add_settings(grid, base, all);
+  if (base.column) {
+    grid.replicates = all ? column_replicates : 2;
+    add_column_settings(grid, base, all);
+  } else {
+    add_settings(grid, with_defaults(base, file, all), all);
+  }
   return grid;
 }
 
 std::vector<double> time_in_turns(const std::vector<Scene>& scenes, int rounds,
                                   const Runner& runner) {
   constexpr double long_enough = 0.1;  // CPU seconds
-  std::vector<long> cycles(scenes.size(), 40);
+  const bool column = !scenes.empty() && scenes.front().column;
+  std::vector<long> cycles(scenes.size(), column ? 2 : 40);
   std::vector<double> least(scenes.size(), INFINITY);
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < scenes.size(); ++k) {
@@ -239,21 +223,23 @@ files::CsvTable trade_table(const std::string& scene, const Grid& grid,
                                  bind_parameters(point.scene).turns_grains ? "1" : "0",
                                  text("W"),
                                  text("layers"),
-                                 text("grains")};
+                                 text("grains"),
+                                 number_text(point.scene.least_restitution()),
+                                 number_text(point.scene.base.drive.amplitude)};
     for (const auto& name : observed) {
       row.push_back(text(name.c_str()));
       row.push_back(text((name + "_se").c_str()));
     }
     row.push_back(text("T_z_scaled"));
     for (const auto& name : observed) {
-      const Mean bias =
+      const auto bias =
           bias_percent(mean_of(collected, k, name), mean_of(collected, reference, name));
-      row.push_back(number_text(bias.value));
-      row.push_back(number_text(k == reference ? std::nan("") : bias.error));
+      row.push_back(number_text(bias.mean));
+      row.push_back(number_text(k == reference ? std::nan("") : bias.standard_error));
     }
-    const Mean T_z = mean_of(collected, k, "T_z");
+    const auto T_z = mean_of(collected, k, "T_z");
     const double cycles = collected.number(k, collected.column("cycles"));
-    const double for_1_percent = cycles * std::pow(100 * T_z.error / T_z.value, 2);
+    const double for_1_percent = cycles * std::pow(100 * T_z.standard_error / T_z.mean, 2);
     for (const char* name : {"k_n", "largest_overlap", "cycles", "stationary", "at_rest"}) {
       row.push_back(text(name));
     }

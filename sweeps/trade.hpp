@@ -27,9 +27,11 @@ TradeProfile trade_profile(const std::string& word);  ///< throws files::Error(b
 ///   dt closed     isolated contacts in closed form, the others stepped; value is t_c/dt
 ///   dt uniform    every grain at every step; value is t_c/dt (10: the same beds as `dt stepped`)
 ///   k_n           times the scene's; value is the factor
+///   cycles        measured as many cycles as `value` flights of the bed take
 ///   cell          lateral widths times value, at the same number of layers
-/// Each bed has a seed of its own; the scene's own rule says how long it is measured.
-/// A scene with walls or a container is refused: its engine has none of these choices.
+/// Each bed has a seed of its own; the scene's own rule says how long it is measured. A bed in a
+/// container has settings of its own (trade_column.hpp). One with a lid or side walls is refused:
+/// its engine has none of these choices.
 Grid trade_grid(const std::filesystem::path& scene, const std::vector<simulator::Override>& set,
                 TradeProfile profile);
 

@@ -20,6 +20,44 @@ const std::string stiffness_axis = "k_n";
 /// Softer grains than this change the bed in ways of their own.
 constexpr double softest = 0.1;
 
+/// Near the onset softness counts for three times as much (6 % of T_z at k_n of `auto` and W
+/// = 2.5); `accuracy` promises nothing there, so that others need not pay for it.
+constexpr double least_promised_W = 5;
+
+/// Rows without W are of tables that have none.
+bool is_promised(const CsvTable& table, std::size_t row) {
+  return !table.has_column("W") || table.number(row, table.column("W")) >= least_promised_W;
+}
+
+CsvTable promised_scenes(const CsvTable& table) {
+  CsvTable some(table.columns());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (!is_promised(table, row)) continue;
+    std::vector<std::string> cells;
+    for (std::size_t k = 0; k < table.columns().size(); ++k) cells.push_back(table.text(row, k));
+    some.add_row(std::move(cells));
+  }
+  return some;
+}
+
+/// What tells a scene of one kind from another.
+const std::vector<files::CsvColumn> scene_numbers{{"dimension", "1"},   {"rough", "1"},
+                                                  {"W", "1"},           {"layers", "1"},
+                                                  {"restitution", "1"}, {"amplitude", "d"}};
+
+std::vector<std::string> numbers_of(const CsvTable& table, const std::string& scene) {
+  std::vector<std::string> numbers;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text(row, table.column("scene")) != scene) continue;
+    for (const auto& number : scene_numbers) {
+      const bool known = table.has_column(number.name);
+      numbers.push_back(known ? table.text(row, table.column(number.name)) : "");
+    }
+    break;
+  }
+  return numbers;
+}
+
 struct Points {
   std::vector<double> x, y, weight;
   void add(double at, double value, double error) {
@@ -64,7 +102,7 @@ BiasLaw law_of(const Points& points, const std::string& scene, const std::string
   const double variance = (v11 - 2 * c * v01 + c * c * v00) / (T_0 * T_0);
   const std::size_t freedom = points.x.size() - 2;
   const double scale = std::max(1.0, chi_squared / static_cast<double>(freedom));
-  return {scene, axis, c, std::sqrt(variance * scale), chi_squared, freedom};
+  return {scene, axis, c, std::sqrt(variance * scale), chi_squared, freedom, {}};
 }
 
 /// CPU time of a setting over the reference's, averaged over the scenes in the logarithm.
@@ -98,7 +136,9 @@ std::vector<BiasLaw> bias_laws(const CsvTable& table, const std::string& axis) {
   std::vector<BiasLaw> laws;
   for (const auto& scene : scenes_of(table)) {
     const Points points = points_of(table, scene, axis);
-    if (points.x.size() >= 3) laws.push_back(law_of(points, scene, axis));
+    if (points.x.size() < 3) continue;
+    laws.push_back(law_of(points, scene, axis));
+    laws.back().numbers = numbers_of(table, scene);
   }
   return laws;
 }
@@ -113,15 +153,19 @@ double bias_bound(const std::vector<BiasLaw>& laws) {
 }
 
 CsvTable law_table(const std::vector<BiasLaw>& laws) {
-  CsvTable table({{"scene", ""},
-                  {"axis", ""},
-                  {"coefficient", "1"},
-                  {"coefficient_se", "1"},
-                  {"chi_squared", "1"},
-                  {"degrees_of_freedom", "1"}});
+  std::vector<files::CsvColumn> columns{{"scene", ""}, {"axis", ""}};
+  columns.insert(columns.end(), scene_numbers.begin(), scene_numbers.end());
+  columns.insert(columns.end(), {{"coefficient", "1"},
+                                 {"coefficient_se", "1"},
+                                 {"chi_squared", "1"},
+                                 {"degrees_of_freedom", "1"}});
+  CsvTable table(std::move(columns));
   for (const auto& law : laws) {
-    table.add_row({law.scene, law.axis, number_text(law.coefficient), number_text(law.error),
-                   number_text(law.chi_squared), std::to_string(law.degrees_of_freedom)});
+    std::vector<std::string> row{law.scene, law.axis};
+    row.insert(row.end(), law.numbers.begin(), law.numbers.end());
+    row.insert(row.end(), {number_text(law.coefficient), number_text(law.error),
+                           number_text(law.chi_squared), std::to_string(law.degrees_of_freedom)});
+    table.add_row(std::move(row));
   }
   return table;
 }
@@ -129,9 +173,10 @@ CsvTable law_table(const std::vector<BiasLaw>& laws) {
 CsvTable accuracy_table(const CsvTable& trade) {
   CsvTable table(
       {{"axis", ""}, {"value", "1"}, {"bias_bound", "%"}, {"relative_cost", "1"}, {"scenes", "1"}});
-  const auto costs = relative_costs(trade);
+  const CsvTable promised = promised_scenes(trade);
+  const auto costs = relative_costs(promised);
   for (const auto& axis : {steps_axis, stiffness_axis}) {
-    const auto laws = bias_laws(trade, axis);
+    const auto laws = bias_laws(promised, axis);
     const double bound = bias_bound(laws);
     for (const auto& [setting, cost] : costs) {
       const auto& [name, value] = setting;

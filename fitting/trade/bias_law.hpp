@@ -20,6 +20,9 @@ struct BiasLaw {
   double error;        ///< its standard error
   double chi_squared;
   std::size_t degrees_of_freedom;
+  /// The scene's numbers as the trade table has them: dimension, rough, W, layers, restitution,
+  /// amplitude; empty where it has not.
+  std::vector<std::string> numbers;
 };
 
 /// x(v) of an axis.
@@ -32,11 +35,12 @@ std::vector<BiasLaw> bias_laws(const files::CsvTable& table, const std::string& 
 /// scene's own bias stays below it with a chance of 95 % at least.
 double bias_bound(const std::vector<BiasLaw>& laws);
 
-/// scene, axis, c, its error, chi^2, degrees of freedom.
+/// scene, axis, its numbers, c, its error, chi^2, degrees of freedom.
 files::CsvTable law_table(const std::vector<BiasLaw>& laws);
 
 /// What scenes with `accuracy` choose from: axis, value, bound on the bias of T_z [%], CPU time
-/// beside the reference (geometric mean over the scenes), and the number of scenes.
+/// beside the reference (geometric mean over the scenes), and the number of scenes. Scenes with
+/// W < 5 are left out.
 files::CsvTable accuracy_table(const files::CsvTable& table);
 
 }  // namespace shakebed::fitting::trade

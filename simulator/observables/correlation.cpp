@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace shakebed::simulator {
 namespace {
@@ -52,6 +53,24 @@ CorrelatedMean mean_of_series(std::span<const double> series) {
   result.independent = n / (2 * tau);
   result.estimate.standard_error = std::sqrt(2 * tau * variance / n);
   return result;
+}
+
+CorrelatedMean cautious_mean_of_series(std::span<const double> series) {
+  constexpr std::size_t least_entries = 30;
+  const CorrelatedMean plain = mean_of_series(series);
+  double error = plain.estimate.standard_error;
+  std::vector<double> coarser(series.begin(), series.end());
+  while (coarser.size() / 2 >= least_entries) {
+    const std::size_t pairs = coarser.size() / 2;
+    for (std::size_t k = 0; k < pairs; ++k)
+      coarser[k] = 0.5 * (coarser[2 * k] + coarser[2 * k + 1]);
+    coarser.resize(pairs);
+    error = std::max(error, mean_of_series(coarser).estimate.standard_error);
+  }
+  if (!(error > plain.estimate.standard_error)) return plain;
+  const double longer = std::pow(error / plain.estimate.standard_error, 2);
+  return {
+      {plain.estimate.mean, error}, plain.correlation_time * longer, plain.independent / longer};
 }
 
 bool halves_agree(std::span<const double> series) {

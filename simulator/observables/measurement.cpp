@@ -103,6 +103,11 @@ std::vector<double> Measurement<D>::values_of(const std::string& quantity) const
 }
 
 template <int D>
+CorrelatedMean Measurement<D>::mean_of(const std::vector<double>& series) const {
+  return scene_.protocol.cautious_errors ? cautious_mean_of_series(series) : mean_of_series(series);
+}
+
+template <int D>
 bool Measurement<D>::knows(const std::string& quantity) const {
   if (quantity == "T" || quantity == "T_lab" || quantity == "delta_h_cm") return true;
   for (const auto& one : series_.observables()) {
@@ -118,7 +123,7 @@ bool Measurement<D>::drifts() const {
 
 template <int D>
 bool Measurement<D>::precise_enough(const Scene::Precision& wanted) const {
-  const auto mean = mean_of_series(values_of(wanted.quantity));
+  const auto mean = mean_of(values_of(wanted.quantity));
   constexpr double least_independent = 30;
   return mean.independent >= least_independent &&
          mean.estimate.standard_error <= wanted.fraction * std::abs(mean.estimate.mean);
@@ -126,7 +131,7 @@ bool Measurement<D>::precise_enough(const Scene::Precision& wanted) const {
 
 template <int D>
 double Measurement<D>::cycles_needed(const Scene::Precision& wanted) const {
-  const auto estimate = mean_of_series(values_of(wanted.quantity)).estimate;
+  const auto estimate = mean_of(values_of(wanted.quantity)).estimate;
   const double ratio = estimate.standard_error / (wanted.fraction * std::abs(estimate.mean));
   return static_cast<double>(cycles()) * ratio * ratio;
 }
@@ -138,7 +143,7 @@ void Measurement<D>::write_temperatures(Record& record) const {
   names.push_back("T");
   for (const auto& name : names) {
     for (const std::string suffix : {"", "_lab"}) {
-      const auto estimate = mean_of_series(values_of(name + suffix)).estimate;
+      const auto estimate = mean_of(values_of(name + suffix)).estimate;
       record.quantities.push_back({name + suffix, "m g d", estimate});
       record.quantities.push_back(
           {name + suffix + "_scaled", "m V_p^2", scaled(estimate, 1 / (v * v))});
@@ -256,10 +261,10 @@ void Measurement<D>::write(Record& record, const EnergyLedger& ledger, double en
   write_temperatures(record);
   write_volume_averages(record);
   write_other_profiles(record);
-  const auto h_cm = mean_of_series(values_of("h_cm")).estimate;
+  const auto h_cm = mean_of(values_of("h_cm")).estimate;
   record.quantities.push_back({"h_cm", "d", h_cm});
   if (scene_.gravity > 0) {
-    const auto delta = mean_of_series(values_of("delta_h_cm")).estimate;
+    const auto delta = mean_of(values_of("delta_h_cm")).estimate;
     const double v2 = drive.peak_velocity() * drive.peak_velocity();
     record.quantities.push_back({"delta_h_cm", "d", delta});
     record.quantities.push_back(
@@ -267,9 +272,9 @@ void Measurement<D>::write(Record& record, const EnergyLedger& ledger, double en
   }
   for (const std::size_t k : {base_power, dissipation_power}) {
     record.quantities.push_back(
-        {series_[k].name, series_[k].unit, mean_of_series(series_[k].values).estimate});
+        {series_[k].name, series_[k].unit, mean_of(series_[k].values).estimate});
   }
-  const auto T_z = mean_of_series(series_[D - 1].values);
+  const auto T_z = mean_of(series_[D - 1].values);
   const double residual = ledger.base_work - ledger.dissipation - energy_change;
   record.scalars.insert(record.scalars.end(),
                         {{"cycles", "1", static_cast<double>(series_.cycles())},

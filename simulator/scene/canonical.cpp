@@ -61,8 +61,9 @@ std::string tangential_text(const Scene::Contact& contact) {
 }
 
 std::string measure_text(const Scene::Protocol& protocol) {
-  if (protocol.cycles) return "    cycles: " + std::to_string(*protocol.cycles) + "\n";
-  return "    until:\n      " + protocol.until->quantity + ": " +
+  const std::string errors = protocol.cautious_errors ? "    errors: cautious\n" : "";
+  if (protocol.cycles) return errors + "    cycles: " + std::to_string(*protocol.cycles) + "\n";
+  return errors + "    until:\n      " + protocol.until->quantity + ": " +
          percent_text(protocol.until->fraction) +
          "\n    at_most: " + std::to_string(protocol.at_most) + "\n";
 }

@@ -98,6 +98,9 @@ std::string canonical_column_yaml(const Scene& scene) {
   text += "protocol:\n" + prepare_text(column);
   text += "  measure:\n    cycles: " + std::to_string(scene.protocol.cycles.value_or(1)) + "\n";
   text += time_step_text(scene);
+  if (column.list_skin != ColumnScene().list_skin) {
+    text += "  list_skin: " + number_text(column.list_skin) + "\n";
+  }
   text += std::string("  engine: ") +
           (scene.protocol.engine == Engine::uniform ? "uniform" : "auto") + "\n";
   text += snapshots_text(scene);

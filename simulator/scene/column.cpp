@@ -26,6 +26,7 @@ constexpr std::array only_in_container{"grains.sizes",
                                        "protocol.prepare",
                                        "protocol.time_step.value",
                                        "protocol.contact_velocities",
+                                       "protocol.list_skin",
                                        "protocol.snapshots.from_cycle"};
 constexpr std::array not_in_container{"contact.allow_soft",
                                       "lid",
@@ -43,6 +44,7 @@ constexpr std::array not_in_container{"contact.allow_soft",
                                       "protocol.transient",
                                       "protocol.measure.until",
                                       "protocol.measure.at_most",
+                                      "protocol.measure.errors",
                                       "protocol.contacts"};
 
 /// A length in d, given so or in mm; the mm key's name is the other's with `_mm`.
@@ -184,14 +186,18 @@ void read_time_step(SceneValues& values, Scene& scene) {
   constexpr double advised = 1.0 / 25;
   const bool allowed = values.boolean("protocol.time_step.allow_coarse").value_or(false);
   const bool coarse = p.time_step > coarsest * p.contact_duration;
-  if (column.time_step && coarse && !allowed) {
-    values.report(path, "a step of " + three_digits(*column.time_step) + " is t_c/" +
-                            three_digits(p.contact_duration / p.time_step) +
-                            " of the shortest contact; write at most " +
-                            three_digits(advised * p.contact_duration) +
-                            " (t_c/25), or allow_coarse: true beside it");
+  if (coarse && !allowed) {
+    const bool as_value = column.time_step.has_value();
+    values.report(
+        as_value ? path : "protocol.time_step.fraction_of_contact_duration",
+        "a step of " + three_digits(p.time_step) + " is t_c/" +
+            three_digits(p.contact_duration / p.time_step) +
+            " of the shortest contact; write at most " +
+            (as_value ? three_digits(advised * p.contact_duration) + " (t_c/25)"
+                      : three_digits(coarsest) + " (better " + three_digits(advised) + ")") +
+            ", or allow_coarse: true beside it");
   }
-  if (column.time_step) scene.protocol.allow_coarse_time_step = coarse;
+  scene.protocol.allow_coarse_time_step = coarse;
 }
 
 void read_snapshots_of_column(SceneValues& values, Scene& scene) {
@@ -266,6 +272,7 @@ void read_column(SceneValues& values, Scene& scene, std::optional<double> diamet
   column.air_damping = values.number("drag.air").value_or(0);
   column.air_packing_fraction = values.number("drag.air_packing_fraction").value_or(0.6);
   column.predict_velocities = values.word("protocol.contact_velocities") != "half_step";
+  column.list_skin = values.number("protocol.list_skin").value_or(column.list_skin);
   const std::string prepare = "protocol.prepare.";
   column.prepare_frequency = values.number(prepare + "frequency").value_or(1.5);
   column.prepare_Gamma = values.number(prepare + "Gamma").value_or(4);

@@ -185,6 +185,9 @@ const std::vector<Key>& table() {
        "the same for T, in place of T_z"},
       {"protocol.measure.at_most", integer, "cycles", from_to(1, 1e9), {}, false, "20000",
        "cap on the cycles measured with until"},
+      {"protocol.measure.errors", word, "", any_value, {"window", "cautious"}, false, "window",
+       "standard errors from an automatic window over the correlation function, or the largest of "
+       "those at coarser and coarser entries, which slow modes do not fool (`accuracy` takes it)"},
       {"protocol.time_step.fraction_of_contact_duration", number, "t_c", from_to(1e-4, 0.5), {},
        false, "0.02",
        "dt over the shortest contact duration t_c; above 0.1 a warning is given"},
@@ -197,6 +200,9 @@ const std::vector<Key>& table() {
        "predicted",
        "velocities in contact laws, in a container: at the time of the positions, or half a step "
        "late as LAMMPS has them"},
+      {"protocol.list_skin", number, "d", from_to(0.05, 5), {}, false, "0.5",
+       "how far beyond touch the list of neighbours reaches, in a container: a matter of cost, no "
+       "contact is missed with any"},
       {"protocol.engine", word, "", any_value, {"auto", "uniform", "events"}, false, "auto",
        "uniform: velocity Verlet with one step for all; events (and auto): free flights are skipped"},
       {"protocol.contacts", word, "", any_value, {"auto", "fine", "closed"}, false, "auto",

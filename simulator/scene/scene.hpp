@@ -57,6 +57,7 @@ struct ColumnScene {
 
   std::optional<double> time_step;  ///< [sqrt(d/g)]; empty: fraction of the shortest t_c
   bool predict_velocities = true;   ///< in contact laws; see ColumnPhysics
+  double list_skin = 0.5;           ///< of the list of neighbours [d]; see OuterList
 
   double prepare_frequency = 1.5;        ///< of the shaking that packs the bed [sqrt(g/d)]
   double prepare_Gamma = 4;              ///< its acceleration [g]
@@ -130,6 +131,7 @@ struct Scene {
     std::optional<long> cycles;        ///< cycles measured ...
     std::optional<Precision> until;    ///< ... or until a quantity is known, with
     long at_most = 20000;              ///< a cap on the cycles measured
+    bool cautious_errors = false;      ///< see cautious_mean_of_series()
     double time_step_fraction = 0.02;  ///< dt / t_c
     bool allow_coarse_time_step = false;  ///< accept dt > t_c/5
     Engine engine = Engine::automatic;
@@ -167,6 +169,8 @@ struct Scene {
     return grains.friction > 0 || base.friction > 0 || (lid && lid->friction > 0) ||
            (side_walls && side_walls->friction > 0);
   }
+  /// Of grains and base.
+  double least_restitution() const { return std::min(grains.restitution, base.restitution); }
   /// Nothing dissipates.
   bool elastic() const {
     return grains.restitution == 1 && base.restitution == 1 && (!lid || lid->restitution == 1) &&

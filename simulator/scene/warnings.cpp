@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "files/csv.hpp"
 #include "simulator/scene/accuracy.hpp"
+#include "simulator/scene/step_bias.hpp"
 
 namespace shakebed::simulator {
 
 namespace {
 
 constexpr double coarse_fraction = 0.1;  // dt/t_c
-// T_z is off by this times (dt/t_c)^2: uniform stepping at t_c/10 ... t_c/5 against contacts in
-// closed form, rough 3D beds at W = 5.6 and 22.4; -1.5(3) % at t_c/10, -6.7(3) % at t_c/5.
-constexpr double step_bias = -1.68;
-constexpr double large_overlap = 0.05;  // d
-constexpr double soft_angle = 0.1;      // rad
+constexpr double large_overlap = 0.05;   // d
+constexpr double soft_angle = 0.1;       // rad
 
 /// Bound on the bias of T_z that k_n of `auto` leaves; it goes as k_n^(-1/2).
 double bias_of_automatic_stiffness() {
@@ -23,6 +22,21 @@ double bias_of_automatic_stiffness() {
     if (setting.value == 1) return setting.bias_bound;
   }
   return 0;
+}
+
+/// What the measured bed most like this one says of a coarse step.
+std::string step_bias_text(const Scene& scene, const Parameters& parameters) {
+  const StepLaw& law = nearest_step_law(scene, parameters);
+  const double x = std::pow(scene.protocol.time_step_fraction, 2);
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "dt above t_c/10 (%.3g t_c): T_z is off by about %.2g %% (+- %.1g), as on the "
+                "measured bed most like this one (%s: %dD, %s, W = %.3g, N = %.3g, e = %.3g); 0.02 "
+                "is the default",
+                scene.protocol.time_step_fraction, 100 * law.coefficient * x, 100 * law.error * x,
+                law.scene.c_str(), law.dimension, law.rough ? "rough" : "smooth", law.W, law.layers,
+                law.restitution);
+  return text;
 }
 
 std::string rounded(double value) { return files::rounded_text(value, 3); }
@@ -44,11 +58,8 @@ double drive_angle_in_contact(const Scene& scene, const Parameters& parameters) 
 std::vector<std::string> scene_warnings(const Scene& scene, const Parameters& parameters) {
   std::vector<std::string> warnings;
   const auto warn = [&warnings](const std::string& text) { warnings.push_back(text); };
-  const double fraction = scene.protocol.time_step_fraction;
-  if (fraction > coarse_fraction) {
-    warn("dt above t_c/10 (" + rounded(fraction) + " t_c): stepping biases T_z by about " +
-         rounded(100 * step_bias * fraction * fraction) +
-         " % (measured on rough 3D beds); 0.02 is the default");
+  if (scene.protocol.time_step_fraction > coarse_fraction) {
+    warn(step_bias_text(scene, parameters));
   }
   if (scene.accuracy) {
     if (const auto why = outside_calibration(scene); !why.empty()) {

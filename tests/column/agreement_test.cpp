@@ -88,6 +88,8 @@ TEST_CASE("They agree with drag, in the co-moving frame, and with LAMMPS' veloci
   SECTION("drag") { physics.drag = {0.24, 0.01, 0.6}; }
   SECTION("frame") { physics.co_moving = true; }
   SECTION("half-step velocities") { physics.predict_velocities = false; }
+  SECTION("a short list of neighbours") { physics.list_skin = 0.1; }
+  SECTION("a long list of neighbours") { physics.list_skin = 1.5; }
   const double speed = physics.co_moving ? 0 : physics.base.peak_velocity;
   compare(physics, some_bed(3.0, 150, speed), 4000);
 }

@@ -57,6 +57,7 @@ TEST_CASE("The canonical text of a bed in a container reads back as itself") {
            {{"protocol.time_step", "{fraction_of_contact_duration: 0.02}"}},
            {{"protocol.measure.cycles", "12"}, {"protocol.contact_velocities", "half_step"}},
            {{"protocol.measure.cycles", "12"}, {"protocol.snapshots", "{phases: []}"}},
+           {{"protocol.list_skin", "0.7"}},
            {{"grains.large", "{diameter: 2.5, density_ratio: 3}"}, {"seed", "9"}}}) {
     const auto scene = small_column(overrides);
     const std::string text = simulator::canonical_yaml(scene);
@@ -68,6 +69,23 @@ TEST_CASE("The canonical text of a bed in a container reads back as itself") {
     CHECK(p.kinds.front().spring.tangential_stiffness ==
           q.kinds.front().spring.tangential_stiffness);
   }
+}
+
+TEST_CASE("A step above t_c/20 is refused however it is given, one at it is not") {
+  const auto refused = [](const std::string& time_step) {
+    try {
+      small_column({{"protocol.time_step", time_step}});
+    } catch (const files::Error&) {
+      return true;
+    }
+    return false;
+  };
+  CHECK(refused("{fraction_of_contact_duration: 0.051}"));
+  CHECK_FALSE(refused("{fraction_of_contact_duration: 0.05}"));
+  CHECK_FALSE(refused("{fraction_of_contact_duration: 0.06, allow_coarse: true}"));
+  const double t_c = simulator::bind_column(small_column()).contact_duration;
+  CHECK(refused("{value: " + std::to_string(0.051 * t_c) + "}"));
+  CHECK_FALSE(refused("{value: " + std::to_string(0.0495 * t_c) + "}"));
 }
 
 TEST_CASE("Beds are shared by scenes that differ in drive, drag or length, and by no others") {

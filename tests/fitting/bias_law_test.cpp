@@ -12,17 +12,21 @@ using namespace shakebed::fitting;
 using files::number_text;
 
 /// Two scenes with T_z = 2 (1 + c_dt (dt/t_c)^2) and 2 (1 + c_k (k_n)^(-1/2)), 0.3 % noise.
-files::CsvTable table_with(double c_dt, double c_k, double noise, unsigned long seed) {
+files::CsvTable table_with(double c_dt, double c_k, double noise, unsigned long seed,
+                           double W_of_second = 20) {
   const auto random = random_stream(seed);
   files::CsvTable table({{"scene", ""},
                          {"axis", ""},
                          {"value", "1"},
+                         {"W", "1"},
                          {"T_z", "m g d"},
                          {"T_z_se", "m g d"},
                          {"seconds_per_1000_cycles", "s"}});
-  const auto add = [&](const char* scene, const char* axis, double value, double T_z, double cost) {
+  const auto add = [&](const std::string& scene, const char* axis, double value, double T_z,
+                       double cost) {
+    const std::string W = number_text(scene == "first" ? 10 : W_of_second);
     const double noisy = T_z + gsl_ran_gaussian(random.get(), noise * T_z);
-    table.add_row({scene, axis, number_text(value), number_text(noisy),
+    table.add_row({scene, axis, number_text(value), W, number_text(noisy),
                    number_text(std::max(noise, 1e-9) * T_z), number_text(cost)});
   };
   for (const char* scene : {"first", "second"}) {
@@ -66,8 +70,8 @@ TEST_CASE("With noise they are within five of their standard errors, which are h
 }
 
 TEST_CASE("The bound is that of the worst scene, and covers its error") {
-  const std::vector<trade::BiasLaw> laws{{"a", "k_n", 0.02, 0.001, 1, 3},
-                                         {"b", "k_n", -0.01, 0.01, 1, 3}};
+  const std::vector<trade::BiasLaw> laws{{"a", "k_n", 0.02, 0.001, 1, 3, {}},
+                                         {"b", "k_n", -0.01, 0.01, 1, 3, {}}};
   CHECK(trade::bias_bound(laws) == Approx(0.01 + 1.64 * 0.01));
 }
 
@@ -84,6 +88,15 @@ TEST_CASE("The table of settings has bounds that follow the laws, and relative c
   CHECK(table.number(row_of("dt closed", 10), 3) == Approx(0.5));
   CHECK(table.number(row_of("k_n", 0.1), 2) == Approx(2 / std::sqrt(0.1)).epsilon(1e-4));
   CHECK(table.number(row_of("k_n", 30), 3) == Approx(0.25));
+}
+
+TEST_CASE("Scenes near the onset bound nothing, as nothing is promised there") {
+  const auto scenes = [](double W_of_second) {
+    const auto table = trade::accuracy_table(table_with(-1.5, 0.02, 0, 1, W_of_second));
+    return table.number(0, table.column("scenes"));
+  };
+  CHECK(scenes(5) == 2);
+  CHECK(scenes(4.9) == 1);
 }
 
 }  // namespace

@@ -132,18 +132,18 @@ TEST_CASE("Beds beyond those measured are warned of at the limit and not inside 
       return text.find("behind `accuracy`") != std::string::npos;
     });
   };
-  CHECK_FALSE(warned("base.drive.W", "40"));
-  CHECK(warned("base.drive.W", "40.1"));
+  CHECK_FALSE(warned("base.drive.W", "90"));
+  CHECK(warned("base.drive.W", "90.1"));
   CHECK_FALSE(warned("base.drive.W", "5"));
   CHECK(warned("base.drive.W", "4.99"));
   CHECK_FALSE(warned("grains.layers", "2"));
   CHECK(warned("grains.layers", "1"));
-  CHECK_FALSE(warned("grains.layers", "6"));
-  CHECK(warned("grains.layers", "7"));
-  CHECK_FALSE(warned("grains.restitution", "0.8"));
-  CHECK(warned("grains.restitution", "0.79"));
-  CHECK_FALSE(warned("base.drive.amplitude", "0.5"));
-  CHECK(warned("base.drive.amplitude", "0.49"));
+  CHECK_FALSE(warned("grains.layers", "8"));
+  CHECK(warned("grains.layers", "9"));
+  CHECK_FALSE(warned("grains.restitution", "0.7"));
+  CHECK(warned("grains.restitution", "0.69"));
+  CHECK_FALSE(warned("base.drive.amplitude", "0.3"));
+  CHECK(warned("base.drive.amplitude", "0.29"));
 }
 
 TEST_CASE("What a run reached is its bias bound and 1.96 of its standard errors") {

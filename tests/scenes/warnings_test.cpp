@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "files/csv.hpp"
+#include "simulator/scene/step_bias.hpp"
 #include "tests/scenes/texts.hpp"
 
 namespace {
@@ -46,6 +48,48 @@ TEST_CASE("Each doubtful bed is warned of, its neighbour is not") {
   CHECK_FALSE(warned({{until, "1 %"}, {at_most, "214"}}, "cycles are few"));
   CHECK(warned({{"grains.count", "1"}}, "one grain"));
   CHECK(warned({{"protocol.measure.cycles", "200"}}, "measured cycles are few"));
+}
+
+TEST_CASE("Warnings begin at their limits") {
+  const std::string W = "base.drive.W";
+  const std::string k_n = "contact.stiffness";
+  // V_p = 3, N = 4: 6/sqrt(k_n) + 4/k_n = 0.05 at k_n = 14559.
+  CHECK(warned({{W, "9"}, {k_n, "14500"}}, "overlaps"));
+  CHECK_FALSE(warned({{W, "9"}, {k_n, "14620"}}, "overlaps"));
+  // W = 22.36: omega pi/sqrt(k_n) (1 + (ln e/pi)^2)^(1/2) = 0.1 at k_n = 22093.
+  CHECK(warned({{k_n, "22000"}}, "softness"));
+  CHECK_FALSE(warned({{k_n, "22200"}}, "softness"));
+  CHECK(warned({{"protocol.measure.cycles", "213"}}, "measured cycles are few"));
+  CHECK_FALSE(warned({{"protocol.measure.cycles", "214"}}, "measured cycles are few"));
+  CHECK_FALSE(warned({{"grains.count", "2"}}, "one grain"));
+}
+
+TEST_CASE("A coarse step is said to cost what the most similar measured bed lost by it") {
+  const auto law_of = [](const std::vector<Override>& overrides) {
+    const Scene scene = tests::bed_with(overrides);
+    return nearest_step_law(scene, bind_parameters(scene));
+  };
+  for (const auto& law : step_laws()) {
+    const std::vector<Override> like_it{{"dimension", std::to_string(law.dimension)},
+                                        {"cell", law.dimension == 2 ? "[20]" : "[5, 4]"},
+                                        {"grains.layers", files::number_text(law.layers)},
+                                        {"grains.friction", law.rough ? "0.4" : "0"},
+                                        {"base.friction", law.rough ? "0.4" : "0"},
+                                        {"grains.restitution", files::number_text(law.restitution)},
+                                        {"base.restitution", files::number_text(law.restitution)},
+                                        {"base.drive.W", files::number_text(law.W)},
+                                        {"protocol.contacts", law.closed ? "closed" : "fine"}};
+    const StepLaw found = law_of(like_it);
+    CHECK(found.scene == law.scene);
+    CHECK(found.coefficient == law.coefficient);
+  }
+  const auto stepped = law_of({{"protocol.engine", "uniform"}});
+  CHECK_FALSE(stepped.closed);
+  CHECK(law_of({}).closed);
+  const double coarse = 100 * stepped.coefficient * 0.15 * 0.15;
+  CHECK(warned(
+      {{"protocol.engine", "uniform"}, {"protocol.time_step.fraction_of_contact_duration", "0.15"}},
+      "off by about " + files::rounded_text(coarse, 2) + " %"));
 }
 
 TEST_CASE("Largest overlap and drive angle follow their formulas") {

@@ -37,6 +37,9 @@ TEST_CASE("A trade study changes one setting at a time") {
   CHECK(scene("dt uniform", "10").protocol.engine == simulator::Engine::uniform);
   CHECK(*scene("k_n", "0.1").contact.stiffness == Approx(0.1 * k_n));
   CHECK(scene("k_n", "0.1").protocol.time_step_fraction == base.protocol.time_step_fraction);
+  // A grain thrown at V_p = 3 flies for 6 sqrt(d/g), 2.9 periods.
+  CHECK(scene("cycles", "120").protocol.cycles == std::lround(std::ceil(120 * 9 / M_PI)));
+  CHECK_FALSE(scene("cycles", "120").protocol.until);
   CHECK(scene("cell", "2").grains.count == 2 * base.grains.count);
   CHECK(scene("cell", "2").cell[0] == 2 * base.cell[0]);
   CHECK(bind_parameters(scene("cell", "2")).stiffness == Approx(k_n));

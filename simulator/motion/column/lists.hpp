@@ -136,7 +136,6 @@ class ColumnLists {
 
  private:
   static constexpr long window_steps = 32;
-  static constexpr double skin = 0.5;        // [d]
   static constexpr double serving = 0.49;    // of the skin; a half, less what one step may add
   static constexpr double cap_share = 1.25;  // of the present speed relative to the bed, ...
   static constexpr double cap_least = 0.15;  // ... and [sqrt(g d)] more
@@ -222,7 +221,7 @@ class ColumnLists {
 
   void build_outer() {
     ++outer_builds;
-    outer_.build(rows, skin);
+    outer_.build(rows, physics_.list_skin);
     pair_stamp_.assign(outer_.pairs().size(), -1);
   }
 

@@ -50,6 +50,7 @@ struct ColumnPhysics {
   /// Velocities in contact laws are those of step n - 1/2 carried on by a(n-1) dt/2, to the time
   /// of the positions; without it, those of n - 1/2 themselves, as LAMMPS has them.
   bool predict_velocities = true;
+  double list_skin = 0.5;  ///< of OuterList [d]
 
   double prediction() const { return predict_velocities ? 0.5 * time_step : 0; }
 
