@@ -27,16 +27,6 @@ concept Mover = requires(M mover, long steps) {
   { mover.energy() } -> std::same_as<double>;
 };
 
-/// The mover's own sums, if it keeps them.
-template <class AnyMover>
-auto moments_now(AnyMover& mover) {
-  if constexpr (requires { mover.moments(); }) {
-    return mover.moments();
-  } else {
-    return moments_of(mover.synchronised());
-  }
-}
-
 inline double thread_cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -261,10 +251,21 @@ class Protocol {
         done = take_snapshots(done, next, discarded_ + measurement.cycles());
       mover_.advance(next - done);
       done = next;
-      measurement.sample(moments_now(mover_));
-      if (measurement.profile_is_due()) measurement.sample_profile(mover_.synchronised());
+      sample(measurement);
     }
     measurement.end_cycle(mover_.ledger());
+  }
+
+  /// A mover that keeps the sums itself is asked for its grains only where profiles need them.
+  void sample(Measurement<D>& measurement) {
+    if constexpr (requires { mover_.moments(); }) {
+      measurement.sample(mover_.moments());
+      if (measurement.profile_is_due()) measurement.sample_profile(mover_.synchronised());
+    } else {
+      const auto& grains = mover_.synchronised();
+      measurement.sample(moments_of(grains));
+      if (measurement.profile_is_due()) measurement.sample_profile(grains);
+    }
   }
 
   /// Those in [from, to) of the cycle's steps; returns the step at which the mover stands then.
