@@ -8,7 +8,8 @@ set palette defined (0.4 '#440154', 0.8 '#3b528b', 1.2 '#21918c', 1.6 '#5ec962',
 set cbrange [0.4:2]
 list = ' '
 stats exponents using (note(strcol(exponents_mu_p))) nooutput
-frictions = list
+frictions = ''
+do for [r = 0:words(list) - 1] { frictions = frictions . at_rank(list, r) }
 n_mu = words(frictions)
 of_fit(name, value) = strcol(exponents_fit) eq name ? value : NaN
 of_mu(m, value) = strcol(exponents_mu_p) eq word(frictions, m) ? value : NaN
@@ -44,7 +45,8 @@ set ylabel '{/:Italic T}_z/({/:Italic m V}_p^2) over its peak' offset 0.5
 set key at graph 0.03, 0.04 left bottom Left reverse font ',11' samplen 1
 list = ' '
 stats collapse using (note(strcol(collapse_N))) nooutput
-depths = list
+depths = ''
+do for [r = 0:words(list) - 1] { depths = depths . at_rank(list, r) }
 n = words(depths)
 plot for [k = 1:n] collapse using (strcol(collapse_N) eq word(depths, k) ? column(collapse_W_over_W_f) : NaN):(column(collapse_y_over_peak)) \
        with points pointtype shape(k) pointsize 0.35 linecolor rgb tone(k, n) title '{/:Italic N} = ' . word(depths, k)
@@ -59,7 +61,8 @@ set ylabel 'α over [{/:Italic W}_f, {/:Italic W}_2]'
 set key at graph 0.97, 0.97 right top Left reverse font ',11' samplen 1
 list = ' '
 stats exponents using (note(strcol(exponents_e_p))) nooutput
-restitutions = list
+restitutions = ''
+do for [r = 0:words(list) - 1] { restitutions = restitutions . at_rank(list, r) }
 n = words(restitutions)
 # Side by side: a little apart for each mu_p.
 apart(c) = column(exponents_N) + 0.2 * column(exponents_mu_p)

@@ -5,6 +5,12 @@
 list = ' '
 note(text) = strstrt(list, ' ' . text . ' ') ? 0 : (list = list . text . ' ', 1)
 
+# The words of `list` as numbers in rising order, by one turn of `do for` over r = 0 ... words - 1:
+# rising = rising . at_rank(list, r).
+rank(words_, k) = sum [j = 1:words(words_)] (real(word(words_, j)) < real(word(words_, k)))
+at_rank_from(words_, r, k) = k > words(words_) ? '' : (rank(words_, k) == r ? ' ' . word(words_, k) : at_rank_from(words_, r, k + 1))
+at_rank(words_, r) = at_rank_from(words_, r, 1)
+
 # Series k of n, dark to light (viridis without its yellow end), and a mark of its own.
 array tones[9] = ['#440154', '#472d7b', '#3b528b', '#2c728e', '#21918c', '#28ae80', '#5ec962', '#8fd744', '#bfdf25']
 tone(k, n) = tones[n > 1 ? 1 + int(8.0 * (k - 1) / (n - 1) + 0.5) : 1]
