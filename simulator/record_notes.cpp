@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "simulator/record_lookup.hpp"
 #include "simulator/scene/warnings.hpp"
 
 namespace shakebed::simulator {
@@ -52,17 +53,15 @@ void judge_columns(Record& record, const Scene& scene) {
 /// Half of what makes a bed not stationary.
 void warn_of_ledger(Record& record, const EnergyLedger& ledger) {
   constexpr double doubtful = 0.01;
-  for (const auto& scalar : record.scalars) {
-    if (scalar.name != "ledger_residual" || !record.stationary || record.at_rest) continue;
-    const double open = std::abs(scalar.value) / ledger.dissipation;
-    if (!(open > doubtful)) continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the energy ledger is open by %.2g %% of what was dissipated, and T_z off by as "
-                  "much or more; take a smaller time step",
-                  100 * open);
-    record.warnings.emplace_back(text);
-  }
+  if (!record.stationary || record.at_rest) return;
+  const double open = std::abs(scalar_of(record, "ledger_residual")) / ledger.dissipation;
+  if (!(open > doubtful)) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the energy ledger is open by %.2g %% of what was dissipated, and T_z off by as "
+                "much or more; take a smaller time step",
+                100 * open);
+  record.warnings.emplace_back(text);
 }
 
 void warn_of_softness(Record& record, double largest_overlap, double stiffness) {

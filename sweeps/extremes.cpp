@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "files/yaml.hpp"
+#include "simulator/record_lookup.hpp"
 #include "simulator/scene/read_scene.hpp"
 #include "simulator/simulate.hpp"
 #include "sweeps/axis.hpp"
+#include "sweeps/bias.hpp"
 #include "sweeps/store/run_key.hpp"
 
 namespace shakebed::sweeps {
@@ -45,13 +47,6 @@ ExtremeCase read_case(const YamlNode& node, const std::filesystem::path& folder,
   return one;
 }
 
-double scalar_of(const Record& record, const std::string& name) {
-  for (const auto& scalar : record.scalars) {
-    if (scalar.name == name) return scalar.value;
-  }
-  return std::nan("");
-}
-
 simulator::Estimate estimate_of(const Record& record, const std::string& name) {
   for (const auto& quantity : record.quantities) {
     if (quantity.name == name) return quantity.estimate;
@@ -61,11 +56,7 @@ simulator::Estimate estimate_of(const Record& record, const std::string& name) {
 
 /// 100 (T_z/T_z,0 - 1) with its standard error.
 simulator::Estimate deviation(const Record& record, const Record& reference) {
-  const auto a = estimate_of(record, "T_z_scaled");
-  const auto b = estimate_of(reference, "T_z_scaled");
-  const double ratio = a.mean / b.mean;
-  return {100 * (ratio - 1),
-          100 * ratio * std::hypot(a.standard_error / a.mean, b.standard_error / b.mean)};
+  return bias_percent(estimate_of(record, "T_z_scaled"), estimate_of(reference, "T_z_scaled"));
 }
 
 /// Share of the energy turned over that the ledger cannot account for.

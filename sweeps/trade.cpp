@@ -5,6 +5,7 @@
 
 #include "files/error.hpp"
 #include "simulator/contact/parameters.hpp"
+#include "sweeps/bias.hpp"
 #include "sweeps/trade_column.hpp"
 #include "sweeps/trade_parts.hpp"
 

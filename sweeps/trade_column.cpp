@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "simulator/record.hpp"
+#include "simulator/record_lookup.hpp"
+#include "sweeps/bias.hpp"
 #include "sweeps/cached_runs.hpp"
 #include "sweeps/trade_parts.hpp"
 
@@ -50,13 +51,6 @@ double mean(const std::vector<double>& values) {
 double mean_of_series(const Record& record, const std::string& name) {
   const auto* values = series_of(record, name);
   return values == nullptr ? std::nan("") : mean(*values);
-}
-
-double scalar_of(const Record& record, const std::string& name) {
-  for (const auto& scalar : record.scalars) {
-    if (scalar.name == name) return scalar.value;
-  }
-  return std::nan("");
 }
 
 /// Mean over independent runs, and its standard error from their scatter.

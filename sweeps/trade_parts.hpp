@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -36,15 +35,6 @@ inline std::size_t compared_with(const Grid& grid, const std::string& axis) {
     if (grid.points[k].labels[0] == "k_n") last = k;
   }
   return last;
-}
-
-/// 100 (x/x_0 - 1) and its standard error, the two being independent.
-inline simulator::Estimate bias_percent(const simulator::Estimate& x,
-                                        const simulator::Estimate& reference) {
-  const double ratio = x.mean / reference.mean;
-  const double error = std::abs(ratio) * std::hypot(x.standard_error / x.mean,
-                                                    reference.standard_error / reference.mean);
-  return {100 * (ratio - 1), 100 * error};
 }
 
 }  // namespace shakebed::sweeps
