@@ -73,9 +73,9 @@ CorrelatedMean cautious_mean_of_series(std::span<const double> series) {
       {plain.estimate.mean, error}, plain.correlation_time * longer, plain.independent / longer};
 }
 
-bool halves_agree(std::span<const double> series) {
-  const auto first = mean_of_series(series.first(series.size() / 2)).estimate;
-  const auto second = mean_of_series(series.last(series.size() / 2)).estimate;
+bool halves_agree(std::span<const double> series, MeanOfSeries mean_of) {
+  const auto first = mean_of(series.first(series.size() / 2)).estimate;
+  const auto second = mean_of(series.last(series.size() / 2)).estimate;
   constexpr double quantile = 3.89;  // of drift_false_alarm
   return std::abs(first.mean - second.mean) <= quantile * std::sqrt(2.0) * second.standard_error;
 }

@@ -30,8 +30,11 @@ CorrelatedMean cautious_mean_of_series(std::span<const double> series);
 /// Gaussian); an error estimated from few entries raises it, to about 1e-3 at 32.
 inline constexpr double drift_false_alarm = 1e-4;
 
-/// True when the means of both halves agree within 3.89 sqrt(2) standard errors of the later half.
-/// (Its error serves for both: a jump within the first half would hide in that half's own error.)
-bool halves_agree(std::span<const double> series);
+using MeanOfSeries = CorrelatedMean (*)(std::span<const double>);
+
+/// True when the means of both halves agree within 3.89 sqrt(2) standard errors of the later half,
+/// by either estimator above. (Its error serves for both: a jump within the first half would hide
+/// in that half's own error.)
+bool halves_agree(std::span<const double> series, MeanOfSeries mean_of = mean_of_series);
 
 }  // namespace shakebed::simulator

@@ -103,8 +103,13 @@ std::vector<double> Measurement<D>::values_of(const std::string& quantity) const
 }
 
 template <int D>
+MeanOfSeries Measurement<D>::estimator() const {
+  return scene_.protocol.cautious_errors ? cautious_mean_of_series : mean_of_series;
+}
+
+template <int D>
 CorrelatedMean Measurement<D>::mean_of(const std::vector<double>& series) const {
-  return scene_.protocol.cautious_errors ? cautious_mean_of_series(series) : mean_of_series(series);
+  return estimator()(series);
 }
 
 template <int D>
@@ -118,7 +123,8 @@ bool Measurement<D>::knows(const std::string& quantity) const {
 
 template <int D>
 bool Measurement<D>::drifts() const {
-  return !halves_agree(series_[D - 1].values) || !halves_agree(series_[height].values);
+  return !halves_agree(series_[D - 1].values, estimator()) ||
+         !halves_agree(series_[height].values, estimator());
 }
 
 template <int D>
@@ -201,8 +207,8 @@ void Measurement<D>::judge_stationarity(Record& record) const {
   const auto& drive = scene_.base.drive;
   const double flights =
       static_cast<double>(series_.cycles()) * drive.period() / scene_.flight_time();
-  const auto work = mean_of_series(series_[base_power].values);
-  const auto loss = mean_of_series(series_[dissipation_power].values);
+  const auto work = mean_of(series_[base_power].values);
+  const auto loss = mean_of(series_[dissipation_power].values);
   const auto& T_z = series_[D - 1].values;
   if (record.at_rest) {
     record.stationary = true;
@@ -220,8 +226,7 @@ void Measurement<D>::judge_stationarity(Record& record) const {
         "needed to see "
         "more than one throw",
         flights, 4);
-  } else if (mean_of_series(T_z).estimate.standard_error >
-             0.3 * mean_of_series(T_z).estimate.mean) {
+  } else if (mean_of(T_z).estimate.standard_error > 0.3 * mean_of(T_z).estimate.mean) {
     record.stationary_reason = "T_z is not known to 30 %: nothing can be said of its drift";
   } else if (work.estimate.mean <= 0) {
     record.stationary_reason = "the base did no net work: the bed is still falling or at rest";

@@ -78,6 +78,7 @@ class Measurement {
   }
 
   std::vector<double> values_of(const std::string& quantity) const;
+  MeanOfSeries estimator() const;
   CorrelatedMean mean_of(const std::vector<double>& series) const;
   void write_temperatures(Record& record) const;
   void write_volume_averages(Record& record) const;

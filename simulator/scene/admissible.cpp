@@ -149,7 +149,7 @@ void read_tangential(SceneValues& values, Scene& scene) {
 void read_measure(SceneValues& values, Scene& scene) {
   const std::string measure = "protocol.measure";
   auto& protocol = scene.protocol;
-  protocol.cautious_errors = values.word(measure + ".errors") == "cautious";
+  protocol.cautious_errors = values.word(measure + ".errors") != "window";
   const bool cycles = values.given(measure + ".cycles");
   if (cycles) {
     protocol.cycles = values.integer(measure + ".cycles").value_or(1);

@@ -185,9 +185,10 @@ const std::vector<Key>& table() {
        "the same for T, in place of T_z"},
       {"protocol.measure.at_most", integer, "cycles", from_to(1, 1e9), {}, false, "20000",
        "cap on the cycles measured with until"},
-      {"protocol.measure.errors", word, "", any_value, {"window", "cautious"}, false, "window",
-       "standard errors from an automatic window over the correlation function, or the largest of "
-       "those at coarser and coarser entries, which slow modes do not fool (`accuracy` takes it)"},
+      {"protocol.measure.errors", word, "", any_value, {"cautious", "window"}, false, "cautious",
+       "standard errors from an automatic window over the correlation function: the largest of "
+       "those at coarser and coarser entries, which slow modes do not fool; or that of the cycles "
+       "alone, as in tables of before"},
       {"protocol.time_step.fraction_of_contact_duration", number, "t_c", from_to(1e-4, 0.5), {},
        false, "0.02",
        "dt over the shortest contact duration t_c; above 0.1 a warning is given"},

@@ -131,7 +131,7 @@ struct Scene {
     std::optional<long> cycles;        ///< cycles measured ...
     std::optional<Precision> until;    ///< ... or until a quantity is known, with
     long at_most = 20000;              ///< a cap on the cycles measured
-    bool cautious_errors = false;      ///< see cautious_mean_of_series()
+    bool cautious_errors = true;       ///< see cautious_mean_of_series()
     double time_step_fraction = 0.02;  ///< dt / t_c
     bool allow_coarse_time_step = false;  ///< accept dt > t_c/5
     Engine engine = Engine::automatic;
