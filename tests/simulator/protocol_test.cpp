@@ -85,7 +85,9 @@ TEST_CASE("sampling: powers are the ledger's, over the cycle's duration") {
 // (about 6-10 % of it).
 TEST_CASE("until: looks at doublings and stops at the first that is precise enough") {
   auto scene = scripted_scene<3>();
+  bool cautious = false;
   const auto cycles_for = [&](double fraction, long correlated_over) {
+    scene.protocol.cautious_errors = cautious;
     scene.protocol.until = {"T_z", fraction};
     return scalar(
         measure_script<3>(scene, [&](long cycle, double) { return noisy(cycle, correlated_over); }),
@@ -97,6 +99,12 @@ TEST_CASE("until: looks at doublings and stops at the first that is precise enou
   CHECK(cycles_for(0.0105, 1) == 512);
   // Every value held for 16 cycles: the standard error is 4 times larger, at 16 times the cycles.
   CHECK(cycles_for(0.042, 16) == 512);
+  // The largest of several estimates is above them on average, by less than a doubling is worth.
+  cautious = true;
+  for (const auto& [fraction, plain] : {std::pair{0.021, 128}, {0.0148, 256}, {0.0105, 512}}) {
+    CHECK(cycles_for(fraction, 1) >= plain);
+    CHECK(cycles_for(fraction, 1) <= 2 * plain);
+  }
 }
 
 // Loose targets must still wait for 30 independent entries: with noise held for 16 cycles (2 tau =
