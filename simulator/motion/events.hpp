@@ -31,6 +31,15 @@ struct EventCounters {
   long dense_steps = 0;  ///< steps taken with all grains on the grid
 };
 
+/// When all grains are handed to the dense stepper, and taken back. A hand-over costs as much as
+/// some hundred dense steps, so that the two limits lie far apart.
+struct HandOver {
+  double most_on_grid = 0.3;     ///< share of the grains on the grid above which all join it,
+  double root_on_grid = 5;       ///< or that many times the root of their number: rows on the grid
+                                 ///< look at each other, which costs as the square of theirs
+  double least_touching = 0.02;  ///< contacts per grain down to which they stay there
+};
+
 /// Pays for collisions, not for steps: grains fly on parabolas, each with one next event (a touch
 /// with a grain or the base, or a second look at periodic images), and only grains in contact are
 /// integrated. Contacts that are provably isolated are taken in one stride: `fine` steps them on
@@ -47,9 +56,10 @@ class EventEngine {
   using SpinRow = Eigen::Matrix<double, S, 1>;
 
   EventEngine(const Physics& physics, const Parameters& parameters, const GrainState& start,
-              ContactOperator contacts)
+              ContactOperator contacts, const HandOver& hand_over = {})
       : physics_(physics),
         contacts_(contacts),
+        hand_over_(hand_over),
         pair_contact_(parameters.grain_grain, true),
         base_contact_(parameters.grain_base, false),
         count_(start.count()),
@@ -177,18 +187,29 @@ class EventEngine {
   void set_half(GridRow<Physics>& row, const Motion& now) const;
 
   // Hand-over between events and the dense stepper.
-  // A hand-over costs as much as some hundred dense steps, so that the two limits lie far apart.
-  bool too_dense() const { return fine_.count() > std::max<std::size_t>(8, count_ * 3 / 10); }
-  bool dilute(long touching) const { return touching <= static_cast<long>(count_) / 50; }
+  bool too_dense() const {
+    constexpr double few = 8;
+    const auto grains = static_cast<double>(count_);
+    return static_cast<double>(fine_.count()) >
+           std::max(few, std::min(std::floor(hand_over_.most_on_grid * grains),
+                                  hand_over_.root_on_grid * std::sqrt(grains)));
+  }
+  bool dilute(long touching) const {
+    return static_cast<double>(touching) <=
+           std::floor(hand_over_.least_touching * static_cast<double>(count_));
+  }
   void enter_dense();
   void run_dense(long target);
   void leave_dense();
+  void be_patient();
 
   static constexpr long epochs_per_cycle = 16;
   static constexpr long look_window = 24;  ///< steps between a row's looks around
+  static constexpr long dense_look = 32;   ///< steps between looks whether a dense bed flies again
 
   Physics physics_;
   ContactOperator contacts_;
+  HandOver hand_over_;
   ClosedContact<D, Physics::turns_grains> pair_contact_;
   ClosedContact<D, Physics::turns_grains> base_contact_;
   std::size_t count_;
@@ -208,6 +229,9 @@ class EventEngine {
   FineContacts<Physics> fine_;
   std::vector<char> stays_;  ///< rows of fine_
   std::optional<DenseStepper<Physics>> dense_;
+  long entered_dense_at_ = 0;
+  long left_dense_at_ = 0;
+  long least_stay_ = dense_look;  ///< of the present stay in the dense stepper
 
   EnergyLedger ledger_;
   EventCounters counters_;

@@ -6,8 +6,21 @@
 
 namespace shakebed::simulator {
 
+/// How long the stay that now begins is at least. In a deep bed few grains may touch at an instant
+/// though many are about to: all come back at once, and then they stay twice as long. Once a time
+/// outside has paid for its hand-over, that is forgotten.
+template <class Physics>
+void EventEngine<Physics>::be_patient() {
+  constexpr long paid = 8 * dense_look;
+  constexpr long longest = 64 * dense_look;
+  const bool in_vain = step_ - left_dense_at_ < paid;
+  least_stay_ = in_vain ? std::min(2 * least_stay_, longest) : dense_look;
+  entered_dense_at_ = step_;
+}
+
 template <class Physics>
 void EventEngine<Physics>::enter_dense() {
+  be_patient();
   const double t = time_of(step_);
   while (true) {
     const auto open = std::find_if(ongoing_.begin(), ongoing_.end(),
@@ -39,12 +52,12 @@ void EventEngine<Physics>::enter_dense() {
 
 template <class Physics>
 void EventEngine<Physics>::run_dense(long target) {
-  constexpr long look_every = 32;
   while (step_ < target) {
     dense_->step(ledger_);
     ++step_;
     ++counters_.dense_steps;
-    if (step_ % look_every == 0 && dilute(dense_->touching())) {
+    const bool stayed = step_ - entered_dense_at_ >= least_stay_;
+    if (step_ % dense_look == 0 && stayed && dilute(dense_->touching())) {
       leave_dense();
       return;
     }
@@ -56,6 +69,7 @@ template <class Physics>
 void EventEngine<Physics>::leave_dense() {
   const auto& rows = dense_->rows();
   const double dt = physics_.time_step;
+  left_dense_at_ = step_;
   epoch_step_ = step_;
   last_event_time_ = -never;
   over_until_ = -never;

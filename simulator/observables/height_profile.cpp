@@ -6,6 +6,8 @@
 #include <functional>
 #include <numbers>
 
+#include "simulator/lanes.hpp"
+
 namespace shakebed::simulator {
 
 template <>
@@ -46,6 +48,17 @@ inline double part_below_quickly(double s) {
     const auto k = static_cast<std::size_t>(place);
     return disc_below[k] + (place - static_cast<double>(k)) * (disc_below[k + 1] - disc_below[k]);
   }
+}
+
+double largest(const std::vector<double>& values) {
+  Lanes most = values.front();
+  std::size_t k = 0;
+  for (; k + lane_count <= values.size(); k += lane_count) {
+    most = std::experimental::max(most, load_lanes(&values[k]));
+  }
+  double all = std::experimental::hmax(most);
+  for (; k < values.size(); ++k) all = std::max(all, values[k]);
+  return all;
 }
 
 /// Jackknife over blocks of a vector-valued statistic of summed blocks, which are `width` long (a
@@ -125,25 +138,24 @@ void HeightProfile<D>::fold_instant() {
 template <int D>
 void HeightProfile<D>::sample(const std::vector<double>& z, const Columns<D>& velocity,
                               const BaseState& origin, std::size_t phase) {
-  constexpr int vertical = Dimension<D>::vertical;
-  const double highest = *std::max_element(z.begin(), z.end()) - origin.height - lowest_;
-  const auto boxes = static_cast<std::size_t>(std::max(highest, 0.0)) + 2;
+  const double shift = origin.height + lowest_;
+  const auto boxes = static_cast<std::size_t>(std::max(largest(z) - shift, 0.0)) + 2;
   if (boxes > boxes_) grow(boxes);
   double* const all = (local_mean_ == LocalMean::instant ? instant_ : current_).data();
   double* const volumes = current_.data() + volume;
-  const std::size_t of_phase = first_of_phases + phase * (1 + D);
+  const double* const heights = z.data();
+  std::array<const double*, D> velocities;
+  for (int c = 0; c < D; ++c) velocities[c] = velocity[c].data();
   for (std::size_t i = 0; i < z.size(); ++i) {
-    const double above = z[i] - origin.height - lowest_;
+    const double above = heights[i] - shift;
     const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
     double* sums = all + box * stride_;
     sums[0] += 1;
     for (int c = 0; c < D; ++c) {
-      const double v = velocity[c][i] - (c == vertical ? origin.velocity : 0);
+      const double v = velocities[c][i] - (c == Dimension<D>::vertical ? origin.velocity : 0);
       sums[1 + 2 * c] += v;
       sums[2 + 2 * c] += v * v;
-      if (local_mean_ == LocalMean::phase) sums[of_phase + 1 + static_cast<std::size_t>(c)] += v;
     }
-    if (local_mean_ == LocalMean::phase) sums[of_phase] += 1;
 
     // A grain of diameter d in boxes of depth d reaches into one neighbour, above or below: no
     // branch, as nobody can guess which. What is below the lowest box is dropped.
@@ -154,7 +166,23 @@ void HeightProfile<D>::sample(const std::vector<double>& z, const Columns<D>& ve
     volumes[neighbour * stride_] += neighbour == box ? 0 : outside;
   }
   if (local_mean_ == LocalMean::instant) fold_instant();
+  if (local_mean_ == LocalMean::phase) add_to_phase(z, velocity, origin, phase);
   ++samples_;
+}
+
+/// Counts and velocities once more, apart for each phase of the cycle.
+template <int D>
+void HeightProfile<D>::add_to_phase(const std::vector<double>& z, const Columns<D>& velocity,
+                                    const BaseState& origin, std::size_t phase) {
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const double above = z[i] - origin.height - lowest_;
+    const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
+    double* sums = current_.data() + box * stride_ + first_of_phases + phase * (1 + D);
+    sums[0] += 1;
+    for (int c = 0; c < D; ++c) {
+      sums[1 + c] += velocity[c][i] - (c == Dimension<D>::vertical ? origin.velocity : 0);
+    }
+  }
 }
 
 template <int D>

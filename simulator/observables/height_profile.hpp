@@ -62,6 +62,8 @@ class HeightProfile {
 
   void sample(const std::vector<double>& z, const Columns<D>& velocity, const BaseState& origin,
               std::size_t phase);
+  void add_to_phase(const std::vector<double>& z, const Columns<D>& velocity,
+                    const BaseState& origin, std::size_t phase);
   void grow(std::size_t boxes);
   void fold_instant();
   double height_below_which(const Sums& sums, double fraction) const;
