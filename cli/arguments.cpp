@@ -13,7 +13,6 @@
 #include "files/yaml.hpp"
 
 namespace shakebed::cli {
-
 namespace {
 
 constexpr const char* about =
@@ -54,6 +53,20 @@ std::shared_ptr<Options> options_of(CLI::App* command, Action& action,
 /// `--set` takes one value at a time, so that a scene may follow it.
 void add_set(CLI::App* command, std::vector<std::string>& set) {
   command->add_option("--set", set, set_help)->type_name("KEY=VALUE")->allow_extra_args(false);
+}
+
+void add_cache(CLI::App* command, std::optional<std::filesystem::path>& cache) {
+  command
+      ->add_option("--cache", cache,
+                   "Folder of finished runs; else $SHAKEBED_CACHE, else build/cache")
+      ->type_name("DIR");
+}
+
+void add_jobs(CLI::App* command, int& jobs) {
+  command->add_option("--jobs", jobs, "Beds simulated at once; 0: one a core")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str()
+      ->type_name("N");
 }
 
 void add_run(CLI::App& app, Action& action) {
@@ -100,10 +113,7 @@ void add_sweep_arguments(CLI::App* command, SweepOptions& options) {
                    "shipped is what data/ holds")
       ->capture_default_str()
       ->type_name("NAME");
-  command
-      ->add_option("--cache", options.cache,
-                   "Folder of finished runs; else $SHAKEBED_CACHE, else build/cache")
-      ->type_name("DIR");
+  add_cache(command, options.cache);
 }
 
 void add_csv(CLI::App* command, SweepOptions& options) {
@@ -133,10 +143,7 @@ void add_sweep(CLI::App& app, Action& action) {
       "run", "Simulate every point that is not cached; Ctrl-C and the same command resume");
   auto run_options = options_of(run, action, &sweep_run_command);
   add_sweep_arguments(run, *run_options);
-  run->add_option("--jobs", run_options->jobs, "Beds simulated at once; 0: one a core")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str()
-      ->type_name("N");
+  add_jobs(run, run_options->jobs);
 
   auto* status = sweep->add_subcommand("status", "Say which points are finished");
   add_sweep_arguments(status, *options_of(status, action, &sweep_status_command));
@@ -184,13 +191,13 @@ void add_trade(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->type_name("NAME");
   trade
-      ->add_option("--cache", options->cache,
-                   "Folder of finished runs; else $SHAKEBED_CACHE, else build/cache")
-      ->type_name("DIR");
-  trade->add_option("--jobs", options->jobs, "Beds simulated at once; 0: one a core")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str()
-      ->type_name("N");
+      ->add_option(
+          "--axis", options->axes,
+          "Only this axis beside the reference, such as k_n or replicates; repeat for more")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  add_cache(trade, options->cache);
+  add_jobs(trade, options->jobs);
   trade
       ->add_option("--rounds", options->rounds,
                    "Rounds of timing; all settings are timed once in each, and the least counts")
@@ -229,14 +236,8 @@ void add_extremes(CLI::App& app, Action& action) {
   extremes->add_option("LIST", options->list, "List of scenes (YAML)")
       ->required()
       ->type_name("FILE");
-  extremes
-      ->add_option("--cache", options->cache,
-                   "Folder of finished runs; else $SHAKEBED_CACHE, else build/cache")
-      ->type_name("DIR");
-  extremes->add_option("--jobs", options->jobs, "Beds simulated at once; 0: one a core")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str()
-      ->type_name("N");
+  add_cache(extremes, options->cache);
+  add_jobs(extremes, options->jobs);
   extremes->add_option("--csv", options->csv, "Write the table here")->type_name("FILE");
 }
 

@@ -52,6 +52,7 @@ struct TradeOptions {
   std::vector<std::filesystem::path> scenes;
   std::vector<std::string> set;
   std::string profile = "quick";
+  std::vector<std::string> axes;                    ///< empty: all
   std::optional<std::filesystem::path> cache;       ///< else SHAKEBED_CACHE, else build/cache
   int jobs = 0;                                     ///< 0: all cores
   int rounds = 3;                                   ///< of timing

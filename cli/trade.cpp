@@ -139,6 +139,7 @@ int trade_command(const TradeOptions& options) {
   std::vector<Grid> grids;
   for (const auto& scene : options.scenes) {
     grids.push_back(sweeps::trade_grid(scene, overrides, profile));
+    if (!options.axes.empty()) sweeps::keep_axes(grids.back(), options.axes);
     if (in_container(grids.back()) == in_container(grids.front())) continue;
     throw files::bad_input(scene.string(),
                            "beds in a container are measured by other quantities than periodic "

@@ -29,9 +29,9 @@ std::vector<simulator::Scalar> point_scalars(const simulator::Scene& scene) {
 
 std::vector<simulator::Record> CachedRuns::records(std::size_t point, Collected& collected) {
   std::vector<simulator::Record> found_records;
-  const auto replicates = static_cast<std::size_t>(grid_.replicates);
+  const auto replicates = static_cast<std::size_t>(grid_.replicates_of(grid_.points[point]));
   for (std::size_t replicate = 0; replicate < replicates; ++replicate) {
-    const Run& run = runs_[first_run(point) + replicate];
+    const Run& run = runs_[first_run_[point] + replicate];
     all_keys_ += run.identity.key;
     auto found = cache_.find(run.identity);
     if (found.run) {

@@ -18,10 +18,14 @@ std::vector<simulator::Scalar> point_scalars(const simulator::Scene& scene);
 class CachedRuns {
  public:
   CachedRuns(const Grid& grid, const store::Cache& cache)
-      : grid_(grid), cache_(cache), runs_(runs_of(grid)) {}
+      : grid_(grid), cache_(cache), runs_(runs_of(grid)) {
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      if (runs_[k].replicate == 0) first_run_.push_back(k);
+    }
+  }
 
   std::size_t points() const { return grid_.points.size(); }
-  const Point& point(std::size_t k) const { return grid_.points[runs_[first_run(k)].point]; }
+  const Point& point(std::size_t k) const { return grid_.points[k]; }
 
   /// Those of one point, replicate by replicate; present and missing ones are counted, and files
   /// that cannot be used are named, in `collected`.
@@ -31,13 +35,10 @@ class CachedRuns {
   std::vector<std::string> provenance(const Collected& collected) const;
 
  private:
-  std::size_t first_run(std::size_t point) const {
-    return point * static_cast<std::size_t>(grid_.replicates);
-  }
-
   const Grid& grid_;
   const store::Cache& cache_;
   std::vector<Run> runs_;
+  std::vector<std::size_t> first_run_;  ///< of each point
   std::set<std::string> revisions_;
   std::set<std::string> machines_;
   std::set<std::string> flags_;

@@ -206,7 +206,7 @@ std::uint64_t replicate_seed(const simulator::Scene& point, int replicate) {
 std::vector<Run> runs_of(const Grid& grid) {
   std::vector<Run> runs;
   for (std::size_t point = 0; point < grid.points.size(); ++point) {
-    for (int replicate = 0; replicate < grid.replicates; ++replicate) {
+    for (int replicate = 0; replicate < grid.replicates_of(grid.points[point]); ++replicate) {
       simulator::Scene scene = grid.points[point].scene;
       if (!grid.seed_is_an_axis) scene.seed = replicate_seed(scene, replicate);
       std::string canonical = simulator::canonical_yaml(scene);

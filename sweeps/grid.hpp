@@ -15,6 +15,7 @@ namespace shakebed::sweeps {
 struct Point {
   std::vector<std::string> labels;  ///< one a column of the axes
   simulator::Scene scene;           ///< with the base scene's seed
+  int replicates = 0;               ///< 0: as many as the grid's
 };
 
 /// A sweep file with one of its profiles, expanded.
@@ -26,6 +27,9 @@ struct Grid {
   int replicates = 1;
   bool seed_is_an_axis = false;  ///< then seeds are the axis' own
 
+  int replicates_of(const Point& point) const {
+    return point.replicates > 0 ? point.replicates : replicates;
+  }
   /// "system = 3D rough, frequency_rpm = 300"
   std::string describe(const Point& point) const;
 };

@@ -28,12 +28,18 @@ TradeProfile trade_profile(const std::string& word);  ///< throws files::Error(b
 ///   dt uniform    every grain at every step; value is t_c/dt (10: the same beds as `dt stepped`)
 ///   k_n           times the scene's; value is the factor
 ///   cycles        measured as many cycles as `value` flights of the bed take
+///   replicates    480 flights in all, shared by `value` runs; their transients count as cost
+///   pair dashpot at base   c_n of two grains where a grain touches the base; value is the e_w it
+///                 makes (a bias of another model, not of a coarse one)
 ///   cell          lateral widths times value, at the same number of layers
 /// Each bed has a seed of its own; the scene's own rule says how long it is measured. A bed in a
 /// container has settings of its own (trade_column.hpp). One with a lid or side walls is refused:
 /// its engine has none of these choices.
 Grid trade_grid(const std::filesystem::path& scene, const std::vector<simulator::Override>& set,
                 TradeProfile profile);
+
+/// Only the reference and the axes named; files::Error(bad_input) for one that the grid has not.
+void keep_axes(Grid& grid, const std::vector<std::string>& axes);
 
 /// CPU seconds per 1000 measured cycles of every point, the least of `rounds` short runs. All
 /// points are timed once before any is timed again, so that a slow spell of the machine meets all.

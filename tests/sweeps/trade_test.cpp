@@ -45,6 +45,40 @@ TEST_CASE("A trade study changes one setting at a time") {
   CHECK(bind_parameters(scene("cell", "2")).stiffness == Approx(k_n));
 }
 
+// c_n = 2 m_eff gamma with e = exp(-gamma t_c): one c_n for both kinds of contact loses less at the
+// base, where m_eff is twice as large.
+TEST_CASE("The axis of one dashpot for all contacts has the pair's c_n at the base") {
+  const tests::SmallSweep small;
+  const Grid grid =
+      trade_grid(small.folder.path() / "scene.yaml",
+                 {{"grains.restitution", "0.8"}, {"base.restitution", "0.8"}}, TradeProfile::quick);
+  for (const auto& point : grid.points) {
+    const auto p = bind_parameters(point.scene);
+    const double ratio = p.grain_base.normal_damping / p.grain_grain.normal_damping;
+    if (point.labels[0] == "pair dashpot at base") {
+      CHECK(ratio == Approx(1).epsilon(1e-12));
+      CHECK(std::stod(point.labels[1]) == Approx(0.8542).epsilon(1e-4));
+    } else if (point.labels[0] == "reference") {
+      CHECK(ratio == Approx(std::sqrt(2)).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("Replicates share out one number of flights, and a study may have some axes alone") {
+  const tests::SmallSweep small;
+  Grid grid = trade_grid(small.folder.path() / "scene.yaml", {}, TradeProfile::shipped);
+  const auto& four = grid.points[row_of(grid, "replicates", "4")];
+  const auto& alone = grid.points[row_of(grid, "replicates", "1")];
+  CHECK(grid.replicates_of(four) == 4);
+  CHECK(*alone.scene.protocol.cycles ==
+        Approx(4 * static_cast<double>(*four.scene.protocol.cycles)).margin(4));
+  keep_axes(grid, {"replicates", "cycles"});
+  CHECK(grid.points.size() == 1 + 3 + 3);
+  CHECK(runs_of(grid).size() == 1 + 3 + 1 + 4 + 16);
+  CHECK_THROWS_WITH(keep_axes(grid, {"skin"}),
+                    Catch::Contains("no axis `skin`") && Catch::Contains("`replicates`"));
+}
+
 TEST_CASE("A cell too narrow to halve is not halved") {
   const tests::SmallSweep small;  // 5 d: half is 2.5 d; 4 d: half is 2 d
   const auto file = small.folder.path() / "scene.yaml";
@@ -105,11 +139,12 @@ TEST_CASE("Bias is against the reference, for k_n against the hardest, with both
                              {"cycles", "1"},
                              {"stationary", "1"},
                              {"at_rest", "1"},
+                             {"transient", "cycles"},
                              {"reason", ""}});
   for (std::size_t k = 0; k < grid.points.size(); ++k) {
     const std::string T_z = std::to_string(2 + 0.1 * static_cast<double>(k));
     collected.add_row({T_z, "0.03", "1", "0.1", "3", "0.1", "0.2", "9", "2", "10", "1e5", "0.01",
-                       "100", "1", "0", ""});
+                       "100", "1", "0", "40", ""});
   }
   const auto table =
       trade_table("small", grid, collected, std::vector<double>(grid.points.size(), 5));
@@ -127,6 +162,10 @@ TEST_CASE("Bias is against the reference, for k_n against the hardest, with both
   // 100 cycles gave 1.5 % at T_z = 2: 225 would give 1 %, at 5 s per 1000.
   CHECK(number(0, "cycles_for_1_percent") == Approx(225));
   CHECK(number(0, "seconds_for_1_percent") == Approx(1.125));
+  // Four runs discard 40 cycles each beside the 100 measured in all.
+  const std::size_t split = row_of(grid, "replicates", "4");
+  CHECK(number(split, "seconds_for_1_percent") ==
+        Approx(1e-3 * 5 * 2.6 * number(split, "cycles_for_1_percent")));
 }
 
 }  // namespace
