@@ -25,6 +25,8 @@ struct GridRow {
   /// Rates as one register (or a few).
   using RateLanes =
       std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, width>>;
+  using PlaceLanes =
+      std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, room>>;
   using Shift = std::array<double, Dimension<D>::lateral>;
 
   alignas(width * sizeof(double)) Rates half{};  ///< velocity and spin half a step ago
@@ -62,14 +64,19 @@ struct GridRow {
   }
   double half_speed_squared() const { return half_velocity().squaredNorm(); }
 
-  /// Velocity, spin and position one step on; change is left at gravity's.
-  void kick_drift_predict(double dt, double gravity) {
+  /// Velocity, spin and position one step on; change is left at gravity's. (What moves along behind
+  /// the position is padding.)
+  [[gnu::always_inline]] void kick_drift_predict(double dt, double gravity) {
     const RateLanes a = load(change);
     const RateLanes v = load(half) + dt * a;
     store(half, v);
     store(predicted, v + 0.5 * dt * a);
     store(change, RateLanes([&](auto c) { return c == vertical ? -gravity : 0.0; }));
-    for (int c = 0; c < D; ++c) x[c] += dt * half[c];
+    const auto place = [](const double* from) {
+      return PlaceLanes(from, std::experimental::element_aligned);
+    };
+    (place(x.data()) + dt * place(half.data()))
+        .copy_to(x.data(), std::experimental::element_aligned);
   }
 
   /// As many steps without any contact.
