@@ -183,15 +183,26 @@ TradeProfile trade_profile(const std::string& word) {
   throw files::bad_input("--profile", "expected quick or shipped, got `" + word + "`");
 }
 
+namespace {
+
+files::Error no_such_axis(const std::string& axis, const Grid& grid,
+                          const std::set<std::string>& known) {
+  std::string names;
+  for (const auto& name : known) {
+    if (!names.empty()) names += ", ";
+    names.append("`").append(name).append("`");
+  }
+  return files::bad_input("--axis", "no axis `" + axis + "` in a study of " + grid.id +
+                                        " (profile " + grid.profile + "); it has " + names);
+}
+
+}  // namespace
+
 void keep_axes(Grid& grid, const std::vector<std::string>& axes) {
   std::set<std::string> known;
   for (const auto& point : grid.points) known.insert(point.labels[0]);
   for (const auto& axis : axes) {
-    if (known.contains(axis)) continue;
-    std::string names;
-    for (const auto& name : known) names += (names.empty() ? "`" : ", `") + name + "`";
-    throw files::bad_input("--axis", "no axis `" + axis + "` in a study of " + grid.id +
-                                         " (profile " + grid.profile + "); it has " + names);
+    if (!known.contains(axis)) throw no_such_axis(axis, grid, known);
   }
   std::erase_if(grid.points, [&](const Point& point) {
     const auto& axis = point.labels[0];
