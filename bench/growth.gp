@@ -1,9 +1,9 @@
 # Cost of the event engine against the size of the bed, from bench_growth's CSV.
 # gnuplot -e "data='growth.csv'; picture='growth.svg'" growth.gp
 set datafile separator comma
-set terminal svg size 1250,400 font "sans,11"
+set terminal svg size 900,400 font "sans,11"
 set output picture
-set multiplot layout 1,3
+set multiplot layout 1,2
 set logscale xy
 set key bottom right
 series(name) = "<grep '^".name.",' ".data
@@ -19,8 +19,4 @@ set yrange [0:*]
 set key top left
 plot series("wider") using 2:6 with linespoints title "wider, 4 layers", \
      series("deeper") using 2:6 with linespoints title "deeper, 5 x 5 d"
-set xlabel "grains"
-set ylabel "CPU time per step of a contact [ns]"
-plot series("wider") using 2:8 with linespoints title "wider, 4 layers", \
-     series("deeper") using 2:8 with linespoints title "deeper, 5 x 5 d"
 unset multiplot

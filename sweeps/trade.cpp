@@ -287,9 +287,10 @@ files::CsvTable trade_table(const std::string& scene, const Grid& grid,
     const double cycles = collected.number(k, collected.column("cycles"));
     const double for_1_percent = cycles * std::pow(100 * T_z.standard_error / T_z.mean, 2);
     // Several short runs pay for a transient each; elsewhere it is left out, as runs are long.
-    const bool split = point.labels[0] == "replicates";
-    const double transients =
-        split ? point.replicates * collected.number(k, collected.column("transient")) / cycles : 0;
+    double transients = 0;
+    if (point.replicates > 0) {
+      transients = point.replicates * collected.number(k, collected.column("transient")) / cycles;
+    }
     for (const char* name : {"k_n", "largest_overlap", "cycles", "stationary", "at_rest"}) {
       row.push_back(text(name));
     }

@@ -50,6 +50,9 @@ inline double part_below_quickly(double s) {
   }
 }
 
+/// The box of a centre so high above the lowest one's bottom; those below it belong to it too.
+inline std::size_t box_of(double above) { return static_cast<std::size_t>(above > 0 ? above : 0); }
+
 double largest(const std::vector<double>& values) {
   Lanes most = values.front();
   std::size_t k = 0;
@@ -148,7 +151,7 @@ void HeightProfile<D>::sample(const std::vector<double>& z, const Columns<D>& ve
   for (int c = 0; c < D; ++c) velocities[c] = velocity[c].data();
   for (std::size_t i = 0; i < z.size(); ++i) {
     const double above = heights[i] - shift;
-    const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
+    const std::size_t box = box_of(above);
     double* sums = all + box * stride_;
     sums[0] += 1;
     for (int c = 0; c < D; ++c) {
@@ -174,10 +177,10 @@ void HeightProfile<D>::sample(const std::vector<double>& z, const Columns<D>& ve
 template <int D>
 void HeightProfile<D>::add_to_phase(const std::vector<double>& z, const Columns<D>& velocity,
                                     const BaseState& origin, std::size_t phase) {
+  const double shift = origin.height + lowest_;
+  double* const of_phase = current_.data() + first_of_phases + phase * (1 + D);
   for (std::size_t i = 0; i < z.size(); ++i) {
-    const double above = z[i] - origin.height - lowest_;
-    const auto box = static_cast<std::size_t>(above > 0 ? above : 0);
-    double* sums = current_.data() + box * stride_ + first_of_phases + phase * (1 + D);
+    double* sums = of_phase + box_of(z[i] - shift) * stride_;
     sums[0] += 1;
     for (int c = 0; c < D; ++c) {
       sums[1 + c] += velocity[c][i] - (c == Dimension<D>::vertical ? origin.velocity : 0);
