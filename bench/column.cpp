@@ -22,7 +22,7 @@
 // T = 1.75, the same step, one core each, in turns. From there on: `stretch` steps of the expansion
 // stage, on to T = 1.9 untimed, `stretch` steps of the compression stage; or (--cycle) a whole
 // cycle. CPU time per grain and step; the ratio is LAMMPS' over ours. Neither knows springs older
-// than T = 1.75.
+// than T = 1.75. --alone leaves LAMMPS out.
 namespace {
 
 using namespace shakebed;
@@ -36,6 +36,7 @@ struct Options {
   double skin = 0.5;
   long stretch = 2000;
   bool whole_cycle = false;
+  bool alone = false;
 };
 
 /// Steps of each piece, and whether it is timed.
@@ -73,8 +74,11 @@ Options read_options(int argc, char** argv) {
       options.set.push_back(value());
     } else if (word == "--cycle") {
       options.whole_cycle = true;
+    } else if (word == "--alone") {
+      options.alone = true;
     } else {
-      throw files::bad_input(word, "expected --turns, --skin, --stretch, --set or --cycle");
+      throw files::bad_input(word,
+                             "expected --turns, --skin, --stretch, --set, --cycle or --alone");
     }
   }
   return options;
@@ -153,7 +157,8 @@ void compare(const Options& options) {
   const double grains_count = static_cast<double>(start.count());
   for (int turn = 0; turn < options.turns; ++turn) {
     const auto a = our_seconds(physics, start, first, all);
-    const auto b = lammps_seconds(options, *scene.column, physics, start, all);
+    const auto b = options.alone ? std::vector<double>(all.size(), 0.0)
+                                 : lammps_seconds(options, *scene.column, physics, start, all);
     for (std::size_t k = 0; k < all.size(); ++k) {
       const double scale = 1e9 / (grains_count * static_cast<double>(all[k].steps));
       ours[k].push_back(a[k] * scale);
@@ -176,11 +181,13 @@ void compare(const Options& options) {
 
 int main(int argc, char** argv) {
   try {
-    if (!bench::lammps_is_here()) {
-      std::printf("no program lmp on PATH: nothing to compare with (make deps-oracle)\n");
+    const Options options = read_options(argc, argv);
+    if (!options.alone && !bench::lammps_is_here()) {
+      std::printf(
+          "no program lmp on PATH: nothing to compare with (make deps-oracle, or --alone)\n");
       return 0;
     }
-    compare(read_options(argc, argv));
+    compare(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_column: error: %s\n", error.what());
     return 1;

@@ -5,42 +5,29 @@
 #include <vector>
 
 #include "simulator/motion/column/contact_list.hpp"
+#include "simulator/motion/column/near_walls.hpp"
 #include "simulator/motion/column/outer_list.hpp"
 #include "simulator/motion/column/pair_list.hpp"
 #include "simulator/motion/column/physics.hpp"
-#include "simulator/motion/column/wall_list.hpp"
+#include "simulator/motion/column/promise.hpp"
 
 namespace shakebed::simulator {
 
 /// Who can touch whom before the window's end, and which grains need not be moved until then.
 ///
-/// Within a window every grain has a cap on its speed relative to the bed's at the window's
-/// beginning; that the whole bed flies or is carried does not count, since only relative motion
-/// makes contacts. A pair that is not listed cannot touch as long as both grains keep their caps.
+/// Within a window every grain promises a velocity, that of a free flight, give or take some width.
+/// A pair that is not listed cannot touch as long as both grains keep their promises; one that
+/// breaks its own makes a new one and looks around again.
 template <class Physics>
 class ColumnLists {
  public:
   static constexpr bool pairs_remember =
       !std::is_empty_v<typename Physics::template PairMemory<double>>;
-  static constexpr bool walls_remember =
-      !std::is_empty_v<typename Physics::template WallMemory<double>>;
-
-  struct NearWall {
-    WallList<walls_remember> list;
-    std::vector<long> stamp;  ///< window in which the row was last listed
-
-    template <class Archive>
-    void archive(Archive& a) {
-      list.archive(a);
-      a(stamp);
-    }
-  };
 
   RowStore rows;
   PairList<pairs_remember> touching;
   PairList<false> candidates;
-  NearWall base;
-  NearWall side;
+  NearWalls<Physics> walls;
   std::vector<std::uint32_t> active;  ///< rows that are moved at every step
   double bed_velocity = 0;            ///< vertical, at the window's beginning
   long outer_builds = 0;
@@ -53,23 +40,28 @@ class ColumnLists {
       auto& own = rows.own[static_cast<std::size_t>(held)];
       own.half_velocity[3] = own.half_rim[3] = 0;
     }
-    caps_.resize(n);
+    promises_.assign(n + 2, Promise{});
     free_since_.assign(n, -1);
-    base.stamp.assign(n, -1);
-    side.stamp.assign(n, -1);
+    walls.resize_to(n);
     rows.reorder(rows.by_height());
     build_outer();
     meet_all(remembered);
+    plan_window();
     open_window(step);
   }
 
   bool window_over(long step) const { return step >= window_end_; }
   long windows() const { return window_; }
 
-  bool breaks_cap(std::uint32_t i, const Four& relative_velocity) const {
-    const Four w2 = relative_velocity * relative_velocity;
-    return w2[0] + w2[1] + w2[2] > caps_[i] * caps_[i];
+  bool breaks_promise(std::uint32_t i, const Four& velocity) const {
+    const Four promised = __builtin_convertvector(promises_[i], Four);
+    const Four off = velocity - fallen_ - promised;
+    const Four square = off * off;
+    return square[0] + square[1] + square[2] > promised[3] * promised[3];
   }
+
+  /// The common field was added to all velocities for one more step.
+  void note_fall(const Four& change) { fallen_ += change; }
 
   /// The row as it is at `step`, also when it was left to fly.
   void look(std::uint32_t i, long step, SeenRow& seen, OwnRow& own) const {
@@ -81,32 +73,38 @@ class ColumnLists {
   /// Closes the present window and opens the next one.
   void open_next_window(long step) {
     for (std::uint32_t i = 0; i < rows.count(); ++i) land(i, step);
+    plan_window();
     if (!outer_serves()) {
       put_in_order();
       build_outer();
+      plan_window();
     }
     open_window(step);
   }
 
-  /// Row i broke its cap on the way to `step`: gives it a wider one and lists what it can reach.
+  /// Row i broke its promise on the way to `step`: makes a wider one and lists what it can reach.
   /// The window ends when the outer list does not reach that far.
   void look_again(std::uint32_t i, long step) {
     const double left = static_cast<double>(window_end_ - step + 1) * physics_.time_step;
-    caps_[i] = 2 * relative_speed(i) + cap_least;
-    if (moved_since_build(i, step) + caps_[i] * left > serving * outer_.skin()) window_end_ = step;
+    const double width = 2 * static_cast<double>(promises_[i][3]) + width_least;
+    promises_[i] = make_promise(rows.own[i].half_velocity - fallen_, width);
+    if (moved_since_build(i, step) + may_move(i, width, left) > serving * outer_.skin()) {
+      window_end_ = step;
+    }
     outer_.for_pairs_of(i, [&](std::uint32_t k) {
       if (pair_stamp_[k] == window_) return;
-      const auto& pair = outer_.pairs()[k];
-      const auto j = pair.i == i ? pair.j : pair.i;
+      const auto j = outer_.i()[k] == i ? outer_.j()[k] : outer_.i()[k];
       SeenRow other;
       OwnRow unused;
       look(j, step, other, unused);
-      if (!in_reach(rows.seen[i].position, other.position, pair, left)) return;
+      if (!in_reach(i, j, rows.seen[i].position - other.position, outer_.contact_size()[k], left)) {
+        return;
+      }
       wake(j, step);
       pair_stamp_[k] = window_;
-      list_candidate(pair);
+      list_candidate(k);
     });
-    list_walls(i, step, left);
+    walls.list(rows, i, physics_, physics_.base_at(step), window_, {left, promises_});
   }
 
   template <class Archive>
@@ -120,12 +118,12 @@ class ColumnLists {
     outer_.archive(a);
     touching.archive(a);
     candidates.archive(a);
-    base.archive(a);
-    side.archive(a);
+    walls.archive(a);
     a(active);
     a(bed_velocity);
     a(outer_builds);
-    a(caps_);
+    a(promises_);
+    a(fallen_);
     a(free_since_);
     a(pair_stamp_);
     a(window_);
@@ -136,9 +134,9 @@ class ColumnLists {
 
  private:
   static constexpr long window_steps = 32;
-  static constexpr double serving = 0.49;    // of the skin; a half, less what one step may add
-  static constexpr double cap_share = 1.25;  // of the present speed relative to the bed, ...
-  static constexpr double cap_least = 0.15;  // ... and [sqrt(g d)] more
+  static constexpr double serving = 0.49;      // of the skin; a half, less what one step may add
+  static constexpr double width_share = 1;     // of the speed at which its contacts close, ...
+  static constexpr double width_least = 0.05;  // ... and [sqrt(g d)] more
 
   /// A free grain k steps later: what k leapfrog steps under gravity come to.
   void fly(SeenRow& seen, OwnRow& own, long k) const {
@@ -184,9 +182,8 @@ class ColumnLists {
     return length(moved);
   }
 
-  /// Sets bed velocity, caps and drift of a window that would begin now; says whether the outer
-  /// list would serve to its end.
-  bool outer_serves() {
+  /// Sets bed velocity, drift and promises of a window that begins now.
+  void plan_window() {
     const auto n = rows.count();
     double velocity = 0;
     double drift = 0;
@@ -196,13 +193,39 @@ class ColumnLists {
     }
     bed_velocity = velocity / static_cast<double>(n);
     drift_ = drift / static_cast<double>(n);
+    make_promises();
+  }
+
+  /// Whether the outer list serves to the end of the window that was planned.
+  bool outer_serves() const {
     const double left = (window_steps + 1) * physics_.time_step;
     double farthest = 0;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      caps_[i] = cap_share * relative_speed(i) + cap_least;
-      farthest = std::max(farthest, moved_since_build(i, window_begin_) + caps_[i] * left);
+    for (std::uint32_t i = 0; i < rows.count(); ++i) {
+      farthest = std::max(farthest, moved_since_build(i, window_begin_) +
+                                        may_move(i, static_cast<double>(promises_[i][3]), left));
     }
     return farthest <= serving * outer_.skin();
+  }
+
+  void make_promises() {
+    widths_.assign(rows.count(), width_least);
+    for (std::size_t k = 0; k < touching.size(); ++k) {
+      const auto i = touching.i()[k];
+      const auto j = touching.j()[k];
+      const double speed = length(rows.own[i].half_velocity - rows.own[j].half_velocity);
+      const double width = width_share * speed + width_least;
+      widths_[i] = std::max(widths_[i], width);
+      widths_[j] = std::max(widths_[j], width);
+    }
+    fallen_ = Four{};
+    for (std::uint32_t i = 0; i < rows.count(); ++i) {
+      promises_[i] = make_promise(rows.own[i].half_velocity, widths_[i]);
+    }
+  }
+
+  /// How far row i may go in the bed's frame within `left` if it keeps a promise of such a width.
+  double may_move(std::uint32_t i, double width, double left) const {
+    return (relative_speed(i) + width + physics_.largest_field() * left) * left;
   }
 
   void put_in_order() {
@@ -211,40 +234,39 @@ class ColumnLists {
     std::vector<std::uint32_t> new_row(order.size());
     for (std::uint32_t k = 0; k < order.size(); ++k) new_row[order[k]] = k;
     touching.rename(new_row);
-    for (auto* wall : {&base, &side}) {
-      for (std::size_t k = 0; k < wall->list.size; ++k) {
-        wall->list.row[k] = new_row[wall->list.row[k]];
-      }
-    }
+    walls.rename(new_row);
     touching.sort();
   }
 
   void build_outer() {
     ++outer_builds;
     outer_.build(rows, physics_.list_skin);
-    pair_stamp_.assign(outer_.pairs().size(), -1);
+    pair_stamp_.assign(outer_.size(), -1);
   }
 
-  double contact_size(const OuterList::Pair& pair) const {
-    return rows.radius[pair.i] + rows.radius[pair.j];
-  }
-
-  void list_candidate(const OuterList::Pair& pair) {
-    candidates.push(pair.i, pair.j, contact_size(pair), effective_mass(pair.i, pair.j));
+  void list_candidate(std::size_t k) {
+    const auto i = outer_.i()[k];
+    const auto j = outer_.j()[k];
+    candidates.push(i, j, outer_.contact_size()[k], effective_mass(i, j));
   }
 
   double effective_mass(std::uint32_t i, std::uint32_t j) const {
     return rows.mass[i] * rows.mass[j] / (rows.mass[i] + rows.mass[j]);
   }
 
-  bool in_reach(const Four& a, const Four& b, const OuterList::Pair& pair, double left) const {
-    const Four r = a - b;
-    const double reach = contact_size(pair) + 1.001 * left * (caps_[pair.i] + caps_[pair.j]);
-    return r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < reach * reach;
+  bool in_reach(std::uint32_t i, std::uint32_t j, const Four& r, double size, double left) const {
+    const Four a = __builtin_convertvector(promises_[i], Four);
+    const Four b = __builtin_convertvector(promises_[j], Four);
+    const Four w = a - b;
+    const auto of = [](const Four& p, const Four& q) {
+      return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    };
+    return may_meet(of(r, r), of(r, w), of(w, w), size, a[3] + b[3], left);
   }
 
-  bool overlaps(const OuterList::Pair& pair) const {
-    return contact_size(pair) - length(rows.seen[pair.i].position - rows.seen[pair.j].position) > 0;
+  bool overlaps(std::size_t k) const {
+    const Four r = rows.seen[outer_.i()[k]].position - rows.seen[outer_.j()[k]].position;
+    return outer_.contact_size()[k] - length(r) > 0;
   }
 
   void meet_all(const std::vector<ContactMemory>& remembered) {
@@ -254,22 +276,25 @@ class ColumnLists {
     const auto key = [](std::uint64_t i, std::uint64_t j) { return (i << 32) + j; };
     for (const auto& one : remembered) {
       const auto i = row_of[static_cast<std::size_t>(one.i)];
-      if (one.j == base_partner) base.list.push(i, rows.radius[i], rows.mass[i], one.u);
-      if (one.j == side_partner) side.list.push(i, rows.radius[i], rows.mass[i], one.u);
-      if (one.j < 0) continue;
+      if (one.j < 0) {
+        walls.recall(rows, i, one);
+        continue;
+      }
       const auto j = row_of[static_cast<std::size_t>(one.j)];
       known.emplace_back(key(i, j), one.u);
       known.emplace_back(key(j, i), -1.0 * one.u);
     }
     std::sort(known.begin(), known.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& pair : outer_.pairs()) {
-      if (!overlaps(pair)) continue;
+    for (std::size_t k = 0; k < outer_.size(); ++k) {
+      if (!overlaps(k)) continue;
+      const auto i = outer_.i()[k];
+      const auto j = outer_.j()[k];
       const auto found =
-          std::lower_bound(known.begin(), known.end(), key(pair.i, pair.j),
+          std::lower_bound(known.begin(), known.end(), key(i, j),
                            [](const auto& a, std::uint64_t wanted) { return a.first < wanted; });
-      const bool there = found != known.end() && found->first == key(pair.i, pair.j);
-      touching.push(pair.i, pair.j, contact_size(pair), effective_mass(pair.i, pair.j),
+      const bool there = found != known.end() && found->first == key(i, j);
+      touching.push(i, j, outer_.contact_size()[k], effective_mass(i, j),
                     there ? found->second : Triple<double>{0, 0, 0});
     }
   }
@@ -278,25 +303,23 @@ class ColumnLists {
     ++window_;
     window_begin_ = step;
     window_end_ = step + window_steps;
-    outer_serves();
     candidates.clear();
     busy_.assign(rows.count(), !may_fly());
     for (std::size_t k = 0; k < touching.size(); ++k) {
       busy_[touching.i()[k]] = busy_[touching.j()[k]] = true;
     }
     const double left = (window_steps + 1) * physics_.time_step;
-    for (std::size_t k = 0; k < outer_.pairs().size(); ++k) {
-      const auto& pair = outer_.pairs()[k];
-      if (!in_reach(rows.seen[pair.i].position, rows.seen[pair.j].position, pair, left)) continue;
+    find_meeting(rows, promises_, outer_, left, meeting_);
+    for (const auto k : meeting_) {
       pair_stamp_[k] = window_;
-      busy_[pair.i] = busy_[pair.j] = true;
-      if (!overlaps(pair)) list_candidate(pair);
+      busy_[outer_.i()[k]] = busy_[outer_.j()[k]] = true;
+      if (!overlaps(k)) list_candidate(k);
     }
-    relist_walls(step, left);
+    walls.relist(rows, physics_, physics_.base_at(step), window_, {left, promises_});
     active.clear();
     for (std::uint32_t i = 0; i < rows.count(); ++i) {
       if (rows.grain[i] == held_) continue;
-      if (busy_[i] || base.stamp[i] == window_ || side.stamp[i] == window_) {
+      if (busy_[i] || walls.listed(i, window_)) {
         active.push_back(i);
       } else {
         free_since_[i] = step;
@@ -307,53 +330,13 @@ class ColumnLists {
   /// Only under constant gravity is a free flight a parabola in this frame.
   bool may_fly() const { return !physics_.drag.any() && !physics_.co_moving; }
 
-  void relist_walls(long step, double left) {
-    const auto old_base = base.list;
-    const auto old_side = side.list;
-    base.list.clear();
-    side.list.clear();
-    const auto keep = [&](const auto& old, NearWall& wall) {
-      for (std::size_t k = 0; k < old.size; ++k) {
-        const auto i = old.row[k];
-        const auto u = old.memory_at(k);
-        if (u.x == 0 && u.y == 0 && u.z == 0) continue;
-        wall.stamp[i] = window_;
-        wall.list.push(i, old.radius[k], old.mass[k], u);
-      }
-    };
-    keep(old_base, base);
-    keep(old_side, side);
-    for (std::uint32_t i = 0; i < rows.count(); ++i) list_walls(i, step, left);
-  }
-
-  /// Lists row i under the walls that it can reach.
-  void list_walls(std::uint32_t i, long step, double left) {
-    const auto& x = rows.seen[i].position;
-    const Triple<double> none{0, 0, 0};
-    const BaseState now = physics_.base_at(step);
-    // The base's speed changes by less than A omega^2 dt a step.
-    const double of_base = std::abs(bed_velocity - now.velocity) + base_acceleration() * left;
-    if (base.stamp[i] != window_ &&
-        x[2] - rows.radius[i] - now.height < (caps_[i] + of_base) * left) {
-      base.stamp[i] = window_;
-      base.list.push(i, rows.radius[i], rows.mass[i], none);
-    }
-    const double inside = physics_.cylinder.radius - rows.radius[i] - caps_[i] * left;
-    if (side.stamp[i] != window_ && (inside < 0 || x[0] * x[0] + x[1] * x[1] > inside * inside)) {
-      side.stamp[i] = window_;
-      side.list.push(i, rows.radius[i], rows.mass[i], none);
-    }
-  }
-
-  double base_acceleration() const {
-    const auto& drive = physics_.base;
-    return drive.amplitude == 0 ? 0 : drive.peak_velocity * drive.peak_velocity / drive.amplitude;
-  }
-
   const Physics physics_;
   OuterList outer_;
   std::int64_t held_;  ///< a grain that does not move, or -1
-  std::vector<double> caps_;
+  std::vector<Promise> promises_;
+  std::vector<double> widths_;
+  std::vector<std::uint32_t> meeting_;
+  Four fallen_{};                 ///< what the common field added to velocities since the beginning
   std::vector<long> free_since_;  ///< the step at which a row was left to fly, or -1
   std::vector<long> pair_stamp_;  ///< window in which the outer pair was last listed
   std::vector<char> busy_;

@@ -1,65 +1,61 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "simulator/motion/column/near_search.hpp"
 #include "simulator/motion/column/row_store.hpp"
-#include "simulator/motion/neighbours.hpp"
 
 namespace shakebed::simulator {
 
-/// All pairs of rows whose surfaces are closer than a skin, with each row's own share of them.
-/// Serves while no two grains have come closer by the skin since it was built; that the bed moves
-/// as a whole does not count.
+/// All pairs of rows whose surfaces are closer than a skin, in rising order of their first row,
+/// with each row's own share of them. Serves while no two grains have come closer by the skin since
+/// it was built; that the bed moves as a whole does not count.
 class OuterList {
  public:
-  explicit OuterList(double cylinder_radius)
-      : width_(4 * cylinder_radius + 8),
-        offset_(0.25 * width_),
-        search_(PeriodicCell<3>{{width_, width_}}) {}
+  explicit OuterList(double cylinder_radius) : search_(cylinder_radius) {}
 
-  struct Pair {
-    std::uint32_t i, j;
-  };
-
-  const std::vector<Pair>& pairs() const { return pairs_; }
+  std::size_t size() const { return size_; }
+  /// Rows and a_i + a_j of each pair; behind the last, a vector's width of pairs that never meet.
+  const std::uint32_t* i() const { return i_.data(); }
+  const std::uint32_t* j() const { return j_.data(); }
+  const double* contact_size() const { return contact_size_.data(); }
   double skin() const { return skin_; }
   const std::vector<Four>& built_at() const { return built_at_; }
 
+  /// Gives `visit` the number of each pair that `row` is part of.
   template <class Visit>
   void for_pairs_of(std::uint32_t row, Visit visit) const {
     for (std::size_t k = first_[row]; k < first_[row + 1]; ++k) visit(of_row_[k]);
   }
 
+  /// Rows are in order of height.
   void build(const RowStore& rows, double skin) {
     skin_ = skin;
     const std::size_t n = rows.count();
-    // The search knows periodic cells; this one is so wide that images never meet.
-    for (auto& column : position_) column.resize(n);
-    double reach = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        position_[c][i] = rows.seen[i].position[c] + (c < 2 ? offset_ : 0);
-      }
-      if (rows.radius[i] <= large) reach = std::max(reach, 2 * rows.radius[i] + skin);
-    }
-    search_.find(position_, reach, near_);
-    pairs_.clear();
-    for (const auto& pair : near_) {
-      if (rows.radius[pair.i] > large || rows.radius[pair.j] > large) continue;
-      keep_if_near(rows, std::min(pair.i, pair.j), std::max(pair.i, pair.j));
-    }
+    i_.clear();
+    j_.clear();
+    double widest = 0;
+    for (const double a : rows.radius) widest = std::max(widest, a <= large ? a : 0);
+    search_.take_up(rows, 2 * widest + skin,
+                    [&](std::size_t i) { return rows.radius[i] <= large; });
     for (std::uint32_t i = 0; i < n; ++i) {
-      if (rows.radius[i] <= large) continue;
-      for (std::uint32_t j = 0; j < n; ++j) {
-        if (j == i || (rows.radius[j] > large && j < i)) continue;
-        keep_if_near(rows, i, j);
+      if (rows.radius[i] > large) {
+        pair_with_all(rows, i);
+      } else {
+        search_.for_near_above(rows, i, skin, [&](std::uint32_t j) { push(i, j); });
       }
     }
-    sort_pairs(n);
+    size_ = i_.size();
+    for (std::size_t k = 0; k < lane_count; ++k) {
+      push(static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n + 1));
+    }
+    contact_size_.assign(i_.size(), 1);
+    for (std::size_t k = 0; k < size_; ++k) {
+      contact_size_[k] = rows.radius[i_[k]] + rows.radius[j_[k]];
+    }
     list_by_row(n);
     built_at_.resize(n);
     for (std::size_t i = 0; i < n; ++i) built_at_[i] = rows.seen[i].position;
@@ -68,7 +64,10 @@ class OuterList {
   template <class Archive>
   void archive(Archive& a) {
     a(skin_);
-    a(pairs_);
+    a(size_);
+    a(i_);
+    a(j_);
+    a(contact_size_);
     a(first_);
     a(of_row_);
     a(built_at_);
@@ -79,51 +78,41 @@ class OuterList {
   /// the search among the small ones many times longer.
   static constexpr double large = 0.75;
 
-  void keep_if_near(const RowStore& rows, std::uint32_t i, std::uint32_t j) {
-    const Four r = rows.seen[i].position - rows.seen[j].position;
-    const double reach = rows.radius[i] + rows.radius[j] + skin_;
-    if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < reach * reach) pairs_.push_back({i, j});
+  void push(std::uint32_t i, std::uint32_t j) {
+    i_.push_back(i);
+    j_.push_back(j);
   }
 
-  /// In rising order of i, then j: by counting, as i's are many and each has few.
-  void sort_pairs(std::size_t n) {
-    first_.assign(n + 1, 0);
-    for (const auto& pair : pairs_) ++first_[pair.i + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    unsorted_.swap(pairs_);
-    pairs_.resize(unsorted_.size());
-    next_ = first_;
-    for (const auto& pair : unsorted_) pairs_[next_[pair.i]++] = pair;
-    const auto begin = pairs_.begin();
-    for (std::size_t i = 0; i < n; ++i) {
-      std::sort(begin + first_[i], begin + first_[i + 1],
-                [](const Pair& a, const Pair& b) { return a.j < b.j; });
+  void pair_with_all(const RowStore& rows, std::uint32_t i) {
+    for (std::uint32_t j = 0; j < rows.count(); ++j) {
+      if (j == i || (rows.radius[j] > large && j < i)) continue;
+      const Four r = rows.seen[i].position - rows.seen[j].position;
+      const double reach = rows.radius[i] + rows.radius[j] + skin_;
+      if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < reach * reach) push(i, j);
     }
   }
 
   void list_by_row(std::size_t n) {
     first_.assign(n + 1, 0);
-    for (const auto& pair : pairs_) {
-      ++first_[pair.i + 1];
-      ++first_[pair.j + 1];
+    for (std::size_t k = 0; k < size_; ++k) {
+      ++first_[i_[k] + 1];
+      ++first_[j_[k] + 1];
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    of_row_.resize(2 * pairs_.size());
+    of_row_.resize(2 * size_);
     next_ = first_;
-    for (std::uint32_t k = 0; k < pairs_.size(); ++k) {
-      of_row_[next_[pairs_[k].i]++] = k;
-      of_row_[next_[pairs_[k].j]++] = k;
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      of_row_[next_[i_[k]]++] = k;
+      of_row_[next_[j_[k]]++] = k;
     }
   }
 
-  double width_;
-  double offset_;
-  NeighbourSearch<3> search_;
+  NearSearch search_;
   double skin_ = 0;
-  Columns<3> position_;
-  std::vector<NeighbourPair<3>> near_;
-  std::vector<Pair> pairs_;
-  std::vector<Pair> unsorted_;
+  std::size_t size_ = 0;
+  std::vector<std::uint32_t> i_;
+  std::vector<std::uint32_t> j_;
+  std::vector<double> contact_size_;
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> next_;
   std::vector<std::uint32_t> of_row_;

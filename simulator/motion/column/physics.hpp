@@ -71,6 +71,12 @@ struct ColumnPhysics {
     return -gravity + rate * rate * lab_base_at(step).height;
   }
 
+  /// No free grain's velocity against the container changes faster.
+  double largest_field() const {
+    if (base.amplitude == 0) return gravity;
+    return gravity + base.peak_velocity * base.peak_velocity / base.amplitude;
+  }
+
   /// Force of the drag on a grain of velocity v in the frame of the simulation.
   Triple<double> drag_force(const Triple<double>& v, double container_velocity) const {
     const double in_lab = co_moving ? container_velocity : 0;

@@ -95,9 +95,9 @@ class ColumnStepper {
   std::vector<ColumnContact> wall_contacts() const {
     std::vector<ColumnContact> found;
     const BaseState base = physics_.base_at(step_);
-    add_wall_contacts(found, lists_.base.list, base_partner,
+    add_wall_contacts(found, lists_.walls.base.list, base_partner,
                       [&](const SeenGrain& grain) { return base_state(grain, base); });
-    add_wall_contacts(found, lists_.side.list, side_partner, [&](const SeenGrain& grain) {
+    add_wall_contacts(found, lists_.walls.side.list, side_partner, [&](const SeenGrain& grain) {
       return side_state(grain, physics_.cylinder, base);
     });
     return found;
@@ -165,11 +165,11 @@ class ColumnStepper {
 
   void step() {
     if (lists_.window_over(step_)) lists_.open_next_window(step_);
-    broke_cap_.clear();
+    broke_promise_.clear();
     move_active();
     ++step_;
     if (physics_.drag.any()) add_drag();
-    for (const auto i : broke_cap_) lists_.look_again(i, step_);
+    for (const auto i : broke_promise_) lists_.look_again(i, step_);
     sum_forces(physics_.time_step);
   }
 
@@ -177,7 +177,7 @@ class ColumnStepper {
     const double dt = physics_.time_step;
     const double ahead = physics_.prediction();
     const Four field = field_row(step_);
-    const Four bed{0, 0, lists_.bed_velocity, 0};
+    lists_.note_fall(dt * field);
     for (const auto i : lists_.active) {
       SeenRow& seen = rows().seen[i];
       OwnRow& own = rows().own[i];
@@ -197,8 +197,8 @@ class ColumnStepper {
         seen.rim_velocity = s + ahead * b;
         pull.moment = Four{};
       }
-      if (lists_.breaks_cap(i, v - bed)) [[unlikely]]
-        broke_cap_.push_back(i);
+      if (lists_.breaks_promise(i, v)) [[unlikely]]
+        broke_promise_.push_back(i);
     }
   }
 
@@ -239,13 +239,13 @@ class ColumnStepper {
     using Memory = typename Physics::template WallMemory<Lanes>;
     const BaseState base = physics_.base_at(step_);
     const auto low =
-        touch_wall<Memory>(physics_.grain_wall, rows(), lists_.base.list, base.velocity, dt,
+        touch_wall<Memory>(physics_.grain_wall, rows(), lists_.walls.base.list, base.velocity, dt,
                            [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
                              c.normal = {Lanes(0.0), Lanes(0.0), Lanes(1.0)};
                              c.overlap = Lanes(base.height) + radius - r.z;
                            });
     const auto around =
-        touch_wall<Memory>(physics_.grain_wall, rows(), lists_.side.list, base.velocity, dt,
+        touch_wall<Memory>(physics_.grain_wall, rows(), lists_.walls.side.list, base.velocity, dt,
                            [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
                              const Lanes rho = std::experimental::sqrt(r.x * r.x + r.y * r.y);
                              const Lanes inverse = Lanes(1.0) / rho;
@@ -268,7 +268,7 @@ class ColumnStepper {
   long step_;
   long touching_walls_ = 0;
   ContactCounters counters_;
-  std::vector<std::uint32_t> broke_cap_;
+  std::vector<std::uint32_t> broke_promise_;
   std::vector<std::uint32_t> changed_;
 };
 

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <experimental/simd>
+#include <limits>
+#include <vector>
+
+#include "simulator/motion/column/row_store.hpp"
+
+namespace shakebed::simulator {
+
+/// Finds which rows lie near each other above a disc, for rows in order of height: the disc is cut
+/// into strips at least `reach` wide, each holding its rows from the lowest up, so that those above
+/// row i and near it stand one after the other in nine strips.
+class NearSearch {
+ public:
+  explicit NearSearch(double disc_radius) : disc_radius_(disc_radius) {}
+
+  /// Takes up the rows for which `wanted` holds. `reach` is the largest distance asked for.
+  template <class Wanted>
+  void take_up(const RowStore& rows, double reach, Wanted wanted) {
+    reach_ = reach;
+    across_ = std::max<std::size_t>(1, static_cast<std::size_t>(2 * disc_radius_ / reach));
+    const std::size_t strips = across_ * across_;
+    const std::size_t n = rows.count();
+    strip_of_.assign(n, nowhere);
+    begin_.assign(strips + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!wanted(i)) continue;
+      strip_of_[i] = strip_at(rows.seen[i].position);
+      ++begin_[strip_of_[i] + 1];
+    }
+    // Behind each strip a vector's width of rows that are near nothing.
+    for (std::size_t s = 0; s < strips; ++s) begin_[s + 1] += begin_[s] + lane_count;
+    const std::size_t room = begin_[strips];
+    row_.assign(room, std::numeric_limits<std::uint32_t>::max());
+    for (auto& column : position_) column.assign(room, far_away);
+    radius_.assign(room, 0);
+    next_.assign(begin_.begin(), begin_.end() - 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (strip_of_[i] == nowhere) continue;
+      const std::size_t k = next_[strip_of_[i]]++;
+      row_[k] = static_cast<std::uint32_t>(i);
+      for (int c = 0; c < 3; ++c) position_[c][k] = rows.seen[i].position[c];
+      radius_[k] = rows.radius[i];
+    }
+    next_.assign(begin_.begin(), begin_.end() - 1);
+  }
+
+  /// Gives `visit(j)` each row j > i that was taken up and lies within a_i + a_j + skin of row i.
+  /// To be asked for rows i in rising order.
+  template <class Visit>
+  void for_near_above(const RowStore& rows, std::uint32_t i, double skin, Visit visit) {
+    if (strip_of_[i] == nowhere) return;
+    const std::size_t cx = strip_of_[i] / across_;
+    const std::size_t cy = strip_of_[i] % across_;
+    for (std::size_t sx = cx == 0 ? 0 : cx - 1; sx <= std::min(cx + 1, across_ - 1); ++sx) {
+      for (std::size_t sy = cy == 0 ? 0 : cy - 1; sy <= std::min(cy + 1, across_ - 1); ++sy) {
+        look_into(sx * across_ + sy, rows.seen[i].position, rows.radius[i] + skin, i, visit);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+  static constexpr double far_away = 1e6;
+
+  std::size_t index_of(double x) const {
+    const double cells = static_cast<double>(across_);
+    const double at = std::floor((x + disc_radius_) / (2 * disc_radius_) * cells);
+    return static_cast<std::size_t>(std::clamp(at, 0.0, cells - 1));
+  }
+  std::uint32_t strip_at(const Four& x) const {
+    return static_cast<std::uint32_t>(index_of(x[0]) * across_ + index_of(x[1]));
+  }
+
+  template <class Visit>
+  [[gnu::always_inline]] void look_into(std::size_t strip, const Four& x, double own_reach,
+                                        std::uint32_t i, Visit visit) {
+    std::size_t& first = next_[strip];
+    while (row_[first] <= i) ++first;
+    for (std::size_t k = first; position_[2][k] <= x[2] + reach_; k += lane_count) {
+      const Lanes dx = load_lanes(&position_[0][k]) - Lanes(x[0]);
+      const Lanes dy = load_lanes(&position_[1][k]) - Lanes(x[1]);
+      const Lanes dz = load_lanes(&position_[2][k]) - Lanes(x[2]);
+      const Lanes reach = load_lanes(&radius_[k]) + Lanes(own_reach);
+      const LaneMask near = dx * dx + dy * dy + dz * dz < reach * reach;
+      if (std::experimental::none_of(near)) continue;
+      for (std::size_t q = 0; q < lane_count; ++q) {
+        if (near[q]) visit(row_[k + q]);
+      }
+    }
+  }
+
+  double disc_radius_;
+  double reach_ = 1;
+  std::size_t across_ = 1;
+  std::vector<std::uint32_t> strip_of_;
+  std::vector<std::size_t> begin_;
+  std::vector<std::size_t> next_;
+  std::vector<std::uint32_t> row_;
+  std::array<std::vector<double>, 3> position_;
+  std::vector<double> radius_;
+};
+
+}  // namespace shakebed::simulator
