@@ -72,19 +72,22 @@ struct GridRow {
     store(half, v);
     store(predicted, v + 0.5 * dt * a);
     store(change, RateLanes([&](auto c) { return c == vertical ? -gravity : 0.0; }));
-    const auto place = [](const double* from) {
-      return PlaceLanes(from, std::experimental::element_aligned);
-    };
     (place(x.data()) + dt * place(half.data()))
         .copy_to(x.data(), std::experimental::element_aligned);
   }
 
   /// As many steps without any contact.
   void fly(long steps, double dt, double gravity) {
+    const Vector<D> way = flown(steps, dt, gravity);
+    for (int c = 0; c < D; ++c) x[c] += way[c];
+    half[vertical] -= static_cast<double>(steps) * dt * gravity;
+  }
+  /// How far they take it.
+  Vector<D> flown(long steps, double dt, double gravity) const {
     const auto n = static_cast<double>(steps);
-    for (int c = 0; c < D; ++c) x[c] += n * dt * half[c];
-    x[vertical] -= 0.5 * n * (n + 1) * dt * dt * gravity;
-    half[vertical] -= n * dt * gravity;
+    Vector<D> way = n * dt * half_velocity();
+    way[vertical] -= 0.5 * n * (n + 1) * dt * dt * gravity;
+    return way;
   }
 
   double base_overlap(const BaseState& base) const {
@@ -92,6 +95,9 @@ struct GridRow {
   }
 
   // Rates are read and written whole: a wide load would have to wait for narrow stores before it.
+  static PlaceLanes place(const double* from) {
+    return PlaceLanes(from, std::experimental::element_aligned);
+  }
   static RateLanes load(const Rates& rates) {
     return RateLanes(rates.data(), std::experimental::element_aligned);
   }

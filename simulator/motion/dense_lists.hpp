@@ -1,0 +1,334 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "simulator/motion/grid_row.hpp"
+#include "simulator/motion/may_meet.hpp"
+#include "simulator/motion/neighbours.hpp"
+
+namespace shakebed::simulator {
+
+/// Who of the grains on the time grid can touch whom before the window's end, and who flies.
+///
+/// Of the pairs within a skin, those are listed that may meet within the window if each of the two
+/// keeps a promise: to have the velocity of a free flight, give or take some width. A grain that
+/// breaks its promise makes a wider one and looks around again. Grains that are in no list fly over
+/// the window at once.
+template <class Physics>
+class DenseLists {
+ public:
+  static constexpr int D = Physics::dimension;
+  using Row = GridRow<Physics>;
+  using PlaceLanes = typename Row::PlaceLanes;
+  using PairOfGrains = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// A listed pair, with its own copy of what the outer list knows.
+  struct ListedPair {
+    NeighbourPair<D> pair;
+    std::uint32_t k;  ///< in the outer list
+  };
+
+  std::vector<Row> rows;
+  // Whether a pair touches cannot be predicted in one mixed list, and a wrong guess costs as much
+  // as the force; a contact lasts some fifty steps, so that in lists kept apart it can.
+  std::vector<ListedPair> touching;
+  std::vector<ListedPair> candidates;
+  std::vector<std::uint32_t> near_base;
+  std::vector<std::uint32_t> stepped;  ///< rows that do not fly
+
+  DenseLists(const Physics& physics, std::vector<Row> start, long step,
+             std::vector<PairOfGrains> in_touch)
+      : rows(std::move(start)), physics_(physics), search_(physics.cell) {
+    const std::size_t n = rows.size();
+    resize(position_, n);
+    promises_.resize(n);
+    base_stamp_.assign(n, -1);
+    rebuild_outer();
+    mark_touching(std::move(in_touch));
+    open_window(step);
+  }
+
+  bool window_over(long step) const { return step >= window_end_; }
+
+  /// All rows as they are at `step`.
+  void catch_up(long step) {
+    const long steps = step - flown_to_;
+    flown_to_ = step;
+    if (steps == 0) return;
+    for (const auto i : flying_) {
+      if (!on_grid_[i]) rows[i].fly(steps, physics_.time_step, physics_.gravity);
+    }
+  }
+
+  void open_next_window(long step) {
+    catch_up(step);
+    make_promises();
+    if (!outer_serves()) rebuild_outer();
+    open_window(step);
+  }
+
+  /// Gravity was added to all velocities for one more step.
+  void note_fall() { fallen_ -= physics_.time_step * physics_.gravity; }
+
+  bool breaks_promise(std::uint32_t i) const {
+    const Promise& promise = promises_[i];
+    PlaceLanes off = Row::place(rows[i].half.data()) - Row::place(promise.velocity.data());
+    off[vertical] -= fallen_;
+    off *= off;
+    double square = 0;
+    for (int c = 0; c < D; ++c) square += off[c];
+    return square > promise.width * promise.width;
+  }
+
+  /// Row i broke its promise on the way to `step`: makes a wider one and lists what it can reach.
+  /// The window ends when the outer list does not reach that far.
+  void look_again(std::uint32_t i, long step) {
+    const double left = static_cast<double>(window_end_ - step + 1) * physics_.time_step;
+    promise(i, 2 * promises_[i].width + least_width());
+    if (moved_since_build(i) + may_move(i, left) > 0.5 * skin_) window_end_ = step;
+    for (auto n = first_of_row_[i]; n < first_of_row_[i + 1]; ++n) {
+      const auto k = of_row_[n];
+      if (pair_stamp_[k] == window_) continue;
+      const auto& pair = outer_[k];
+      wake_if_met(pair, pair.i == i ? pair.j : pair.i, k, step, left);
+    }
+    list_near_base(i, physics_.base_at_step(step % physics_.steps_per_cycle), left);
+  }
+
+  void begin_contact(std::size_t n) {
+    in_contact_[candidates[n].k] = true;
+    move_pair(candidates, n, touching);
+  }
+  void end_contact(std::size_t n) {
+    in_contact_[touching[n].k] = false;
+    move_pair(touching, n, candidates);
+  }
+
+  std::vector<PairOfGrains> touching_pairs() const {
+    std::vector<PairOfGrains> pairs;
+    for (std::size_t k = 0; k < outer_.size(); ++k) {
+      if (in_contact_[k]) pairs.emplace_back(outer_[k].i, outer_[k].j);
+    }
+    return pairs;
+  }
+  /// Pairs within the skin.
+  const std::vector<NeighbourPair<D>>& outer() const { return outer_; }
+
+  Vector<D> separation_of(const NeighbourPair<D>& pair) const {
+    return separation(rows[pair.i], rows[pair.j], pair.shift);
+  }
+
+ private:
+  static constexpr int vertical = Dimension<D>::vertical;
+  static constexpr long window_steps = 32;
+
+  struct Promise {
+    /// But for what gravity adds since the window's beginning; what lies behind is padding.
+    alignas(Row::room * sizeof(double)) std::array<double, Row::room> velocity;
+    double width;
+  };
+
+  static void move_pair(std::vector<ListedPair>& from, std::size_t n, std::vector<ListedPair>& to) {
+    to.push_back(from[n]);
+    from[n] = from.back();
+    from.pop_back();
+  }
+
+  double whole_window() const { return static_cast<double>(window_steps + 1) * physics_.time_step; }
+  double least_width() const { return 0.05 * physics_.base.peak_velocity; }
+
+  void promise(std::uint32_t i, double width) {
+    Promise& promise = promises_[i];
+    std::copy_n(rows[i].half.begin(), Row::room, promise.velocity.begin());
+    promise.velocity[vertical] -= fallen_;
+    promise.width = width;
+    fastest_promised_ =
+        std::max(fastest_promised_, std::sqrt(rows[i].half_speed_squared()) + width);
+  }
+
+  /// For a window that begins now. Grains in contact may change their velocities by as much as
+  /// their contacts close.
+  void make_promises() {
+    fallen_ = 0;
+    fastest_promised_ = 0;
+    widths_.assign(rows.size(), least_width());
+    for (const auto& listed : touching) {
+      const auto [i, j] = std::pair{listed.pair.i, listed.pair.j};
+      const double speed = (rows[i].half_velocity() - rows[j].half_velocity()).norm();
+      widths_[i] = std::max(widths_[i], speed + least_width());
+      widths_[j] = std::max(widths_[j], speed + least_width());
+    }
+    for (std::uint32_t i = 0; i < rows.size(); ++i) promise(i, widths_[i]);
+  }
+
+  double moved_since_build(std::uint32_t i) const {
+    return (rows[i].position() - row(built_at_, i)).norm();
+  }
+  /// How far row i may go within `left` if it keeps its promise.
+  double may_move(std::uint32_t i, double left) const {
+    return (std::sqrt(rows[i].half_speed_squared()) + promises_[i].width +
+            largest_acceleration() * left) *
+           left;
+  }
+  /// No free grain's velocity against the base changes faster.
+  double largest_acceleration() const {
+    const double peak = physics_.base.peak_velocity;
+    return physics_.gravity + (peak == 0 ? 0 : peak * peak / physics_.base.amplitude);
+  }
+
+  bool outer_serves() const {
+    double farthest = 0;
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+      farthest = std::max(farthest, moved_since_build(i) + may_move(i, whole_window()));
+    }
+    return farthest <= 0.5 * skin_;
+  }
+
+  void rebuild_outer() {
+    double fastest = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      fastest = std::max(fastest, rows[i].half_speed_squared());
+      set_row(position_, i, rows[i].position());
+    }
+    fastest = 1.25 * std::sqrt(fastest) + 0.5 * physics_.base.peak_velocity;
+    const double widest = 0.5 * physics_.cell.narrowest() - 2 * grain_radius;
+    constexpr double lasting = 8 * window_steps;
+    skin_ = std::clamp(2 * lasting * fastest * physics_.time_step, std::min(0.1, widest),
+                       std::min(1.0, widest));
+    auto before = touching_pairs();
+    search_.find(position_, 2 * grain_radius + skin_, outer_);
+    pair_stamp_.assign(outer_.size(), -1);
+    mark_touching(std::move(before));
+    list_by_row();
+    built_at_ = position_;
+  }
+
+  void list_by_row() {
+    first_of_row_.assign(rows.size() + 1, 0);
+    for (const auto& pair : outer_) {
+      ++first_of_row_[pair.i + 1];
+      ++first_of_row_[pair.j + 1];
+    }
+    std::partial_sum(first_of_row_.begin(), first_of_row_.end(), first_of_row_.begin());
+    of_row_.resize(2 * outer_.size());
+    next_ = first_of_row_;
+    for (std::uint32_t k = 0; k < outer_.size(); ++k) {
+      of_row_[next_[outer_[k].i]++] = k;
+      of_row_[next_[outer_[k].j]++] = k;
+    }
+  }
+
+  void mark_touching(std::vector<PairOfGrains> pairs) {
+    in_contact_.assign(outer_.size(), false);
+    for (auto& [i, j] : pairs) {
+      if (i > j) std::swap(i, j);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    for (std::size_t k = 0; k < outer_.size(); ++k) {
+      const PairOfGrains key = std::minmax(outer_[k].i, outer_[k].j);
+      in_contact_[k] = std::binary_search(pairs.begin(), pairs.end(), key);
+    }
+  }
+
+  /// Beyond this distance no two rows meet within `left`.
+  double reach(double left) const {
+    return 2 * grain_radius + 2.01 * (fastest_promised_ + largest_acceleration() * left) * left;
+  }
+
+  /// Whether the rows of a pair, r apart (from i to j), may meet within `left`.
+  bool meet(const NeighbourPair<D>& pair, const Vector<D>& r, double left) const {
+    const Promise& a = promises_[pair.i];
+    const Promise& b = promises_[pair.j];
+    Vector<D> w;
+    for (int c = 0; c < D; ++c) w[c] = b.velocity[c] - a.velocity[c];
+    return may_meet(r.squaredNorm(), r.dot(w), w.squaredNorm(), 2 * grain_radius, a.width + b.width,
+                    left);
+  }
+
+  void open_window(long step) {
+    ++window_;
+    window_end_ = step + window_steps;
+    flown_to_ = step;
+    touching.clear();
+    for (std::uint32_t k = 0; k < outer_.size(); ++k) {
+      if (in_contact_[k]) touching.push_back({outer_[k], k});
+    }
+    make_promises();
+    candidates.clear();
+    on_grid_.assign(rows.size(), false);
+    const double left = whole_window();
+    const double far = reach(left) * reach(left);
+    for (std::uint32_t k = 0; k < outer_.size(); ++k) {
+      const auto& pair = outer_[k];
+      const auto r = separation_of(pair);
+      if (r.squaredNorm() > far || (!in_contact_[k] && !meet(pair, r, left))) continue;
+      pair_stamp_[k] = window_;
+      if (!in_contact_[k]) candidates.push_back({pair, k});
+      on_grid_[pair.i] = on_grid_[pair.j] = true;
+    }
+    near_base.clear();
+    stepped.clear();
+    flying_.clear();
+    const BaseState base = physics_.base_at_step(step % physics_.steps_per_cycle);
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+      if (list_near_base(i, base, left)) on_grid_[i] = true;
+      (on_grid_[i] ? stepped : flying_).push_back(i);
+    }
+  }
+
+  bool list_near_base(std::uint32_t i, const BaseState& base, double left) {
+    if (base_stamp_[i] == window_) return true;
+    const double nearing = std::max(base.velocity - rows[i].half[vertical], 0.0) +
+                           promises_[i].width + largest_acceleration() * left;
+    if (-rows[i].base_overlap(base) >= 1.001 * nearing * left) return false;
+    base_stamp_[i] = window_;
+    near_base.push_back(i);
+    return true;
+  }
+
+  void wake_if_met(const NeighbourPair<D>& pair, std::uint32_t other, std::uint32_t k, long step,
+                   double left) {
+    Vector<D> r = separation_of(pair);
+    const long steps = on_grid_[other] ? 0 : step - flown_to_;
+    if (steps > 0) {
+      const Vector<D> flown = rows[other].flown(steps, physics_.time_step, physics_.gravity);
+      r += other == pair.j ? flown : Vector<D>(-flown);
+    }
+    if (!meet(pair, r, left)) return;
+    pair_stamp_[k] = window_;
+    candidates.push_back({pair, k});
+    if (on_grid_[other]) return;
+    rows[other].fly(steps, physics_.time_step, physics_.gravity);
+    on_grid_[other] = true;
+    stepped.push_back(other);
+  }
+
+  Physics physics_;
+  NeighbourSearch<D> search_;
+  std::vector<NeighbourPair<D>> outer_;
+  std::vector<char> in_contact_;  ///< the outer pair touches at the present step
+  std::vector<long> pair_stamp_;  ///< window in which the outer pair was last listed
+  std::vector<std::uint32_t> first_of_row_;
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> of_row_;  ///< each row's outer pairs
+  std::vector<Promise> promises_;
+  std::vector<double> widths_;
+  std::vector<long> base_stamp_;
+  std::vector<char> on_grid_;
+  std::vector<std::uint32_t> flying_;  ///< at the window's beginning
+  Columns<D> position_;
+  Columns<D> built_at_;
+  double skin_ = 0;
+  double fallen_ = 0;            ///< what gravity added to velocities since the window's beginning
+  double fastest_promised_ = 0;  ///< speed and width of a promise
+  long window_ = 0;
+  long window_end_ = 0;
+  long flown_to_ = 0;  ///< the step at which the flying ones are
+};
+
+}  // namespace shakebed::simulator
