@@ -28,7 +28,7 @@ TradeProfile trade_profile(const std::string& word);  ///< throws files::Error(b
 ///   dt uniform    every grain at every step; value is t_c/dt (10: the same beds as `dt stepped`)
 ///   k_n           times the scene's; value is the factor
 ///   cycles        measured as many cycles as `value` flights of the bed take
-///   replicates    480 flights in all (quick: 120), shared by `value` runs; their transients count as
+///   replicates    480 flights in all (quick: 120), shared by `value` runs; transients count as
 ///                 cost
 ///   pair dashpot at base   c_n of two grains where a grain touches the base; value is the e_w it
 ///                 makes (a bias of another model, not of a coarse one)
