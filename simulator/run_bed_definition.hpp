@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "simulator/bed.hpp"
+#include "simulator/motion/dense_engine.hpp"
 #include "simulator/motion/events.hpp"
 #include "simulator/observables/snapshot.hpp"
 #include "simulator/record_notes.hpp"
@@ -71,10 +72,11 @@ Record run_bed(const Scene& scene, const RunControl& control) {
     UniformStepper<Physics> mover(physics, bed.grains);
     move_with(mover);
   };
-  if constexpr (Physics::walled) {
+  if (scene.protocol.engine == Engine::uniform) {
     move_uniformly();
-  } else if (scene.protocol.engine == Engine::uniform) {
-    move_uniformly();
+  } else if constexpr (Physics::walled) {
+    DenseEngine<Physics> mover(physics, bed.grains);
+    move_with(mover);
   } else {
     EventEngine<Physics> mover(physics, p, bed.grains, scene.protocol.contacts);
     move_with(mover);

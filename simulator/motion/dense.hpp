@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -21,10 +22,25 @@ class DenseStepper {
   /// Takes over the grains at `step` of the run; `touching` and `on_base` name the contacts of that
   /// step, which go on and do not begin again.
   DenseStepper(const Physics& physics, std::vector<Row> rows, long step,
-               const std::vector<PairOfGrains>& touching, const std::vector<std::uint32_t>& on_base)
-      : physics_(physics), lists_(physics, std::move(rows), step, touching), step_(step) {
-    base_touched_.assign(lists_.rows.size(), -1);
-    for (const auto i : on_base) base_touched_[i] = step;
+               const std::vector<PairOfGrains>& touching, const std::vector<std::uint32_t>& on_base,
+               long window_steps = 32)
+      : physics_(physics),
+        lists_(physics, std::move(rows), step, touching, window_steps),
+        step_(step) {
+    wall_touched_.assign(lists_.near_walls.size() * lists_.rows.size(), -1);
+    for (const auto i : on_base) wall_touched_[i] = step;
+  }
+
+  /// Grains at the beginning of a run, for begin().
+  static std::vector<Row> rows_of(const Physics& physics,
+                                  const typename Physics::GrainState& start) {
+    std::vector<Row> rows(start.count());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].set_flying(row(start.position, i), row(start.velocity, i), row(start.spin, i),
+                         physics);
+      rows[i].half[vertical] = start.velocity[vertical][i];
+    }
+    return rows;
   }
 
   /// Computes the contacts of the present step from full velocities, as a run begins.
@@ -58,16 +74,13 @@ class DenseStepper {
     return lists_.rows;
   }
 
-  bool on_base(std::size_t i) const { return base_touched_[i] == step_; }
+  bool on_base(std::size_t i) const { return wall_touched_[i] == step_; }
   std::vector<PairOfGrains> touching_pairs() const { return lists_.touching_pairs(); }
 
   double elastic_energy() {
     const BaseState base = base_now();
     double energy = 0;
-    for (const Row& row : rows()) {
-      const double overlap = row.base_overlap(base);
-      if (overlap > 0) energy += physics_.grain_base.normal.stored_energy(overlap);
-    }
+    for (const Row& row : rows()) energy += elastic_energy_at_walls(row, base);
     for (const auto& pair : lists_.outer()) {
       const double overlap = 2 * grain_radius - lists_.separation_of(pair).norm();
       if (overlap > 0) energy += physics_.grain_grain.normal.stored_energy(overlap);
@@ -76,10 +89,16 @@ class DenseStepper {
   }
 
  private:
+  static constexpr int vertical = Dimension<D>::vertical;
+
   BaseState base_now() const { return physics_.base_at_step(step_ % physics_.steps_per_cycle); }
 
   void accumulate_contacts(EnergyLedger& ledger) {
-    touching_ = touch_base(ledger);
+    if constexpr (Physics::walled) {
+      touching_ = touch_walls(ledger);
+    } else {
+      touching_ = touch_base(ledger);
+    }
     for (std::size_t n = 0; n < lists_.candidates.size();) {
       const auto& listed = lists_.candidates[n];
       const auto r = lists_.separation_of(listed.pair);
@@ -95,21 +114,60 @@ class DenseStepper {
   }
 
   long touch_base(EnergyLedger& ledger) {
-    if (lists_.near_base.empty()) return 0;
+    if (lists_.near_walls[0].empty()) return 0;
     const BaseState base = base_now();
     long count = 0;
     auto& rows = lists_.rows;
-    for (const auto i : lists_.near_base) {
+    for (const auto i : lists_.near_walls[0]) {
       const double overlap = rows[i].base_overlap(base);
       if (overlap <= 0) continue;
-      if (base_touched_[i] != step_ - 1) ++ledger.collisions;
-      base_touched_[i] = step_;
+      if (wall_touched_[i] != step_ - 1) ++ledger.collisions;
+      wall_touched_[i] = step_;
       ++count;
       batch_.add_base(rows.data(), i, base, overlap);
       if (batch_.full()) batch_.apply_base(physics_, base, rows.data(), ledger);
     }
     batch_.apply_base(physics_, base, rows.data(), ledger);
     return count;
+  }
+
+  long touch_walls(EnergyLedger& ledger) {
+    if (std::ranges::all_of(lists_.near_walls, [](const auto& near) { return near.empty(); })) {
+      return 0;
+    }
+    const BaseState base = base_now();
+    long count = 0;
+    for (std::size_t w = 0; w < physics_.walls.size(); ++w) {
+      const auto& wall = physics_.walls[w];
+      Vector<D> n = Vector<D>::Zero();
+      n[wall.axis] = -wall.inward;
+      for (const auto i : lists_.near_walls[w]) {
+        Row& row = lists_.rows[i];
+        const double overlap = physics_.overlap(wall, row.x[wall.axis], base);
+        if (overlap <= 0) continue;
+        long& touched = wall_touched_[w * lists_.rows.size() + i];
+        touch_plane(physics_, wall.law, row, n, wall.drive_axis, wall.moves ? base.velocity : 0,
+                    overlap, touched != step_ - 1, ledger);
+        touched = step_;
+        ++count;
+      }
+    }
+    return count;
+  }
+
+  double elastic_energy_at_walls(const Row& row, const BaseState& base) const {
+    double energy = 0;
+    const auto add = [&](const auto& law, double overlap) {
+      if (overlap > 0) energy += law.normal.stored_energy(overlap);
+    };
+    if constexpr (Physics::walled) {
+      for (const auto& wall : physics_.walls) {
+        add(wall.law, physics_.overlap(wall, row.x[wall.axis], base));
+      }
+    } else {
+      add(physics_.grain_base, row.base_overlap(base));
+    }
+    return energy;
   }
 
   void touch_pairs(EnergyLedger& ledger) {
@@ -136,7 +194,7 @@ class DenseStepper {
   long touching_ = 0;
   std::vector<std::size_t> ended_;
   std::vector<std::uint32_t> broke_promise_;
-  std::vector<long> base_touched_;
+  std::vector<long> wall_touched_;  ///< by wall and row: the last step of a contact
   ContactBatch<Physics> batch_;
 };
 

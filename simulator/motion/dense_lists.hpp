@@ -38,16 +38,20 @@ class DenseLists {
   // as the force; a contact lasts some fifty steps, so that in lists kept apart it can.
   std::vector<ListedPair> touching;
   std::vector<ListedPair> candidates;
-  std::vector<std::uint32_t> near_base;
-  std::vector<std::uint32_t> stepped;  ///< rows that do not fly
+  std::vector<std::vector<std::uint32_t>> near_walls;  ///< a list each; the base is the first
+  std::vector<std::uint32_t> stepped;                  ///< rows that do not fly
 
   DenseLists(const Physics& physics, std::vector<Row> start, long step,
-             std::vector<PairOfGrains> in_touch)
-      : rows(std::move(start)), physics_(physics), search_(physics.cell) {
+             std::vector<PairOfGrains> in_touch, long window_steps)
+      : rows(std::move(start)),
+        near_walls(wall_count(physics)),
+        physics_(physics),
+        search_(physics.cell),
+        window_steps_(window_steps) {
     const std::size_t n = rows.size();
     resize(position_, n);
     promises_.resize(n);
-    base_stamp_.assign(n, -1);
+    wall_stamp_.assign(near_walls.size() * n, -1);
     rebuild_outer();
     mark_touching(std::move(in_touch));
     open_window(step);
@@ -97,7 +101,15 @@ class DenseLists {
       const auto& pair = outer_[k];
       wake_if_met(pair, pair.i == i ? pair.j : pair.i, k, step, left);
     }
-    list_near_base(i, physics_.base_at_step(step % physics_.steps_per_cycle), left);
+    list_near_walls(i, physics_.base_at_step(step % physics_.steps_per_cycle), left);
+  }
+
+  static std::size_t wall_count(const Physics& physics) {
+    if constexpr (Physics::walled) {
+      return physics.walls.size();
+    } else {
+      return 1;
+    }
   }
 
   void begin_contact(std::size_t n) {
@@ -125,8 +137,6 @@ class DenseLists {
 
  private:
   static constexpr int vertical = Dimension<D>::vertical;
-  static constexpr long window_steps = 32;
-
   struct Promise {
     /// But for what gravity adds since the window's beginning; what lies behind is padding.
     alignas(Row::room * sizeof(double)) std::array<double, Row::room> velocity;
@@ -139,7 +149,9 @@ class DenseLists {
     from.pop_back();
   }
 
-  double whole_window() const { return static_cast<double>(window_steps + 1) * physics_.time_step; }
+  double whole_window() const {
+    return static_cast<double>(window_steps_ + 1) * physics_.time_step;
+  }
   double least_width() const { return 0.05 * physics_.base.peak_velocity; }
 
   void promise(std::uint32_t i, double width) {
@@ -197,7 +209,7 @@ class DenseLists {
     }
     fastest = 1.25 * std::sqrt(fastest) + 0.5 * physics_.base.peak_velocity;
     const double widest = 0.5 * physics_.cell.narrowest() - 2 * grain_radius;
-    constexpr double lasting = 8 * window_steps;
+    const double lasting = 8 * static_cast<double>(window_steps_);
     skin_ = std::clamp(2 * lasting * fastest * physics_.time_step, std::min(0.1, widest),
                        std::min(1.0, widest));
     auto before = touching_pairs();
@@ -252,7 +264,7 @@ class DenseLists {
 
   void open_window(long step) {
     ++window_;
-    window_end_ = step + window_steps;
+    window_end_ = step + window_steps_;
     flown_to_ = step;
     touching.clear();
     for (std::uint32_t k = 0; k < outer_.size(); ++k) {
@@ -271,23 +283,41 @@ class DenseLists {
       if (!in_contact_[k]) candidates.push_back({pair, k});
       on_grid_[pair.i] = on_grid_[pair.j] = true;
     }
-    near_base.clear();
+    for (auto& near : near_walls) near.clear();
     stepped.clear();
     flying_.clear();
     const BaseState base = physics_.base_at_step(step % physics_.steps_per_cycle);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
-      if (list_near_base(i, base, left)) on_grid_[i] = true;
+      if (list_near_walls(i, base, left)) on_grid_[i] = true;
       (on_grid_[i] ? stepped : flying_).push_back(i);
     }
   }
 
-  bool list_near_base(std::uint32_t i, const BaseState& base, double left) {
-    if (base_stamp_[i] == window_) return true;
-    const double nearing = std::max(base.velocity - rows[i].half[vertical], 0.0) +
-                           promises_[i].width + largest_acceleration() * left;
-    if (-rows[i].base_overlap(base) >= 1.001 * nearing * left) return false;
-    base_stamp_[i] = window_;
-    near_base.push_back(i);
+  /// Lists row i under the walls that it can reach; says whether there is one.
+  bool list_near_walls(std::uint32_t i, const BaseState& base, double left) {
+    const auto& row = rows[i];
+    if constexpr (Physics::walled) {
+      bool any = false;
+      for (std::size_t w = 0; w < physics_.walls.size(); ++w) {
+        const auto& wall = physics_.walls[w];
+        const bool follows = wall.moves && wall.axis == wall.drive_axis;
+        const double away = wall.inward * (row.half[wall.axis] - (follows ? base.velocity : 0));
+        any |= list_near(w, i, physics_.overlap(wall, row.x[wall.axis], base), away, left);
+      }
+      return any;
+    } else {
+      return list_near(0, i, row.base_overlap(base), row.half[vertical] - base.velocity, left);
+    }
+  }
+
+  bool list_near(std::size_t wall, std::uint32_t i, double overlap, double away, double left) {
+    long& stamp = wall_stamp_[wall * rows.size() + i];
+    if (stamp == window_) return true;
+    const double nearing =
+        std::max(-away, 0.0) + promises_[i].width + largest_acceleration() * left;
+    if (-overlap >= 1.001 * nearing * left) return false;
+    stamp = window_;
+    near_walls[wall].push_back(i);
     return true;
   }
 
@@ -318,7 +348,7 @@ class DenseLists {
   std::vector<std::uint32_t> of_row_;  ///< each row's outer pairs
   std::vector<Promise> promises_;
   std::vector<double> widths_;
-  std::vector<long> base_stamp_;
+  std::vector<long> wall_stamp_;  ///< by wall and row: window in which it was last listed
   std::vector<char> on_grid_;
   std::vector<std::uint32_t> flying_;  ///< at the window's beginning
   Columns<D> position_;
@@ -326,6 +356,7 @@ class DenseLists {
   double skin_ = 0;
   double fallen_ = 0;            ///< what gravity added to velocities since the window's beginning
   double fastest_promised_ = 0;  ///< speed and width of a promise
+  long window_steps_;
   long window_ = 0;
   long window_end_ = 0;
   long flown_to_ = 0;  ///< the step at which the flying ones are

@@ -70,14 +70,8 @@ class EventEngine {
         generation_(start.count(), 0),
         stray_(start.count(), 0),
         state_(start) {
-    std::vector<GridRow<Physics>> rows(count_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      rows[i].set_flying(row(start.position, i), row(start.velocity, i), row(start.spin, i),
-                         physics);
-      rows[i].half[vertical] = start.velocity[vertical][i];
-    }
-    dense_.emplace(physics_, std::move(rows), 0, std::vector<PairOfGrains>{},
-                   std::vector<std::uint32_t>{});
+    dense_.emplace(physics_, DenseStepper<Physics>::rows_of(physics_, start), 0,
+                   std::vector<PairOfGrains>{}, std::vector<std::uint32_t>{});
     dense_->begin(ledger_);
     ledger_ = {};
   }

@@ -167,24 +167,34 @@ template <class Physics>
   ledger.count_step(overlap, begins);
 }
 
-/// Adds the contact of a row with the base.
-template <class Physics>
-inline void touch_base(const Physics& physics, GridRow<Physics>& row, const BaseState& base,
-                       double overlap, bool begins, EnergyLedger& ledger) {
+/// Adds the contact of a row with a plane towards which `n` points and which moves along one axis
+/// at `plane_velocity`.
+template <class Physics, class Law>
+inline void touch_plane(const Physics& physics, const Law& law, GridRow<Physics>& row,
+                        const Vector<Physics::dimension>& n, int drive_axis, double plane_velocity,
+                        double overlap, bool begins, EnergyLedger& ledger) {
   constexpr int D = Physics::dimension;
-  constexpr int vertical = Dimension<D>::vertical;
-  Vector<D> n = Vector<D>::Zero();
-  n[vertical] = -1;
   Vector<D> v = row.predicted_velocity();
-  v[vertical] -= base.velocity;
-  const auto f = physics.grain_base(n, overlap, v, Spin<D>(grain_radius * row.predicted_spin()));
+  v[drive_axis] -= plane_velocity;
+  const auto f = law(n, overlap, v, Spin<D>(grain_radius * row.predicted_spin()));
   using Row = GridRow<Physics>;
   const auto change =
       Row::lanes_of(f.force, Spin<D>((grain_radius / grain_inertia) * f.moment_per_radius));
   Row::store(row.change, Row::load(row.change) + change);
-  ledger.base_work += f.force[vertical] * base.velocity * physics.time_step;
+  ledger.base_work += f.force[drive_axis] * plane_velocity * physics.time_step;
   ledger.dissipation += f.dissipated_power * physics.time_step;
   ledger.count_step(overlap, begins);
+}
+
+/// Adds the contact of a row with the base.
+template <class Physics>
+inline void touch_base(const Physics& physics, GridRow<Physics>& row, const BaseState& base,
+                       double overlap, bool begins, EnergyLedger& ledger) {
+  constexpr int vertical = Dimension<Physics::dimension>::vertical;
+  Vector<Physics::dimension> n = Vector<Physics::dimension>::Zero();
+  n[vertical] = -1;
+  touch_plane(physics, physics.grain_base, row, n, vertical, base.velocity, overlap, begins,
+              ledger);
 }
 
 }  // namespace shakebed::simulator
