@@ -112,10 +112,11 @@ void print_contacts(const Scene& scene, const Parameters& parameters) {
 
 std::string engine_text(const Scene& scene) {
   const auto& protocol = scene.protocol;
-  if (scene.walled()) {
-    return "uniform, every grain at every step: the event engine knows no lid and no side walls";
-  }
   if (protocol.engine == simulator::Engine::uniform) return "uniform, every grain at every step";
+  if (scene.walled()) {
+    return "dense, step by step but for grains that fly: the event engine knows no lid and no side "
+           "walls";
+  }
   const bool fine = protocol.contacts == simulator::ContactOperator::fine;
   return std::string("events, free flights in one stride; contacts ") +
          (fine ? "step by step" : "in closed form where isolated, else step by step");

@@ -163,7 +163,7 @@ struct Scene {
     return base.drive.amplitude * base.drive.angular_frequency * base.drive.angular_frequency /
            gravity;
   }
-  /// A bed with walls beside its base is moved by the uniform stepper.
+  /// A bed with walls beside its base is not moved by events.
   bool walled() const { return lid || side_walls; }
   bool any_friction() const {
     return grains.friction > 0 || base.friction > 0 || (lid && lid->friction > 0) ||

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <experimental/simd>
 
 #include "simulator/contact/chosen.hpp"
@@ -55,58 +56,89 @@ struct PassResult {
   }
 };
 
+/// Relative motion of the vector of pairs that begins at `k`.
+template <class Law, class List>
+[[gnu::always_inline]] inline void gather_pairs(const SeenRow* seen, const List& list,
+                                                std::size_t k, ContactState<Lanes>& c) {
+  const std::uint32_t* i = list.i() + k;
+  const std::uint32_t* j = list.j() + k;
+  Four x[lane_count], v[lane_count], s[lane_count];
+  for (std::size_t q = 0; q < lane_count; ++q) {
+    x[q] = seen[i[q]].position - seen[j[q]].position;
+    v[q] = seen[i[q]].velocity - seen[j[q]].velocity;
+    if constexpr (Law::turns_grains) s[q] = seen[i[q]].rim_velocity + seen[j[q]].rim_velocity;
+  }
+  LaneTriple r;
+  transpose_rows(x, r);
+  transpose_rows(v, c.velocity);
+  if constexpr (Law::turns_grains) transpose_rows(s, c.rim_velocity);
+  const Lanes distance = std::experimental::sqrt(dot(r, r));
+  c.size = load_lanes(list.contact_size() + k);
+  c.effective_mass = load_lanes(list.effective_mass() + k);
+  c.overlap = c.size - distance;
+  c.normal = (Lanes(1.0) / distance) * r;
+}
+
+/// Adds the forces on the vector of pairs that begins at `k`, and their reactions.
+template <class Law, class List>
+[[gnu::always_inline]] inline void scatter_pairs(PullRow* pull, const List& list, std::size_t k,
+                                                 const LaneTriple& on_i,
+                                                 const LaneTriple& turning) {
+  const std::uint32_t* i = list.i() + k;
+  const std::uint32_t* j = list.j() + k;
+  Four force[lane_count], moment[lane_count];
+  transpose_lanes(on_i, force);
+  if constexpr (Law::turns_grains) transpose_lanes(turning, moment);
+  for (std::size_t q = 0; q < lane_count; ++q) {
+    PullRow& a = pull[i[q]];
+    PullRow& b = pull[j[q]];
+    a.force += force[q];
+    b.force -= force[q];
+    if constexpr (Law::turns_grains) {
+      a.moment += moment[q];
+      b.moment += moment[q];
+    }
+  }
+}
+
 /// Adds the contacts of the pairs in `list`; those that have ended go to `ended`, in rising order.
+/// Some vectors are gathered, then evaluated, then added: what one vector waits for is hidden
+/// behind the others only as far as the processor looks ahead, which is one vector if all is done
+/// at once.
 template <class LaneMemory, class Law, class List>
 PassResult touch_pairs(const Law& law, RowStore& rows, List& list, double dt,
                        std::vector<std::uint32_t>& ended) {
+  constexpr std::size_t together = 4;
   PassResult result;
   const auto nowhere = static_cast<std::uint32_t>(rows.count());
   list.pad(nowhere, nowhere + 1);
   const std::size_t n = list.size();
   const SeenRow* seen = rows.seen.data();
   PullRow* pull = rows.pull.data();
-  for (std::size_t k = 0; k < n; k += lane_count) {
-    const std::uint32_t* i = list.i() + k;
-    const std::uint32_t* j = list.j() + k;
-    Four x[lane_count], v[lane_count], s[lane_count];
-    for (std::size_t q = 0; q < lane_count; ++q) {
-      x[q] = seen[i[q]].position - seen[j[q]].position;
-      v[q] = seen[i[q]].velocity - seen[j[q]].velocity;
-      if constexpr (Law::turns_grains) s[q] = seen[i[q]].rim_velocity + seen[j[q]].rim_velocity;
+  ContactState<Lanes> contacts[together];
+  LaneTriple force[together], moment[together];
+  for (std::size_t first = 0; first < n; first += together * lane_count) {
+    const std::size_t vectors = std::min(together, (n - first + lane_count - 1) / lane_count);
+    for (std::size_t b = 0; b < vectors; ++b) {
+      gather_pairs<Law>(seen, list, first + b * lane_count, contacts[b]);
     }
-    LaneTriple r;
-    ContactState<Lanes> c;
-    transpose_rows(x, r);
-    transpose_rows(v, c.velocity);
-    if constexpr (Law::turns_grains) transpose_rows(s, c.rim_velocity);
-    const Lanes distance = std::experimental::sqrt(dot(r, r));
-    c.size = load_lanes(list.contact_size() + k);
-    c.effective_mass = load_lanes(list.effective_mass() + k);
-    c.overlap = c.size - distance;
-    c.normal = (Lanes(1.0) / distance) * r;
-    const LaneMask touching = c.overlap > Lanes(0.0);
-
-    auto memory = load_memory<LaneMemory>(list.memory_columns_of(), k);
-    const SpringForce<Lanes> f = law(c, memory, dt);
-    store_memory(list.memory_columns_of(), k, memory, touching);
-    result.count(touching, c.overlap);
-
-    Four force[lane_count], moment[lane_count];
-    transpose_lanes(chosen(touching, f.force), force);
-    if constexpr (Law::turns_grains) transpose_lanes(chosen(touching, f.moment), moment);
-    for (std::size_t q = 0; q < lane_count; ++q) {
-      PullRow& a = pull[i[q]];
-      PullRow& b = pull[j[q]];
-      a.force += force[q];
-      b.force -= force[q];
-      if constexpr (Law::turns_grains) {
-        a.moment += moment[q];
-        b.moment += moment[q];
+    for (std::size_t b = 0; b < vectors; ++b) {
+      const std::size_t k = first + b * lane_count;
+      const ContactState<Lanes>& c = contacts[b];
+      const LaneMask touching = c.overlap > Lanes(0.0);
+      auto memory = load_memory<LaneMemory>(list.memory_columns_of(), k);
+      const SpringForce<Lanes> f = law(c, memory, dt);
+      store_memory(list.memory_columns_of(), k, memory, touching);
+      result.count(touching, c.overlap);
+      force[b] = chosen(touching, f.force);
+      if constexpr (Law::turns_grains) moment[b] = chosen(touching, f.moment);
+      if (touching_count(touching) == lane_count) continue;
+      for (std::size_t q = 0; q < lane_count && k + q < n; ++q) {
+        if (!touching[q]) ended.push_back(static_cast<std::uint32_t>(k + q));
       }
     }
-    if (touching_count(touching) == lane_count) continue;
-    for (std::size_t q = 0; q < lane_count && k + q < n; ++q) {
-      if (!touching[q]) ended.push_back(static_cast<std::uint32_t>(k + q));
+    for (std::size_t b = 0; b < vectors; ++b) {
+      scatter_pairs<Law>(pull, list, first + b * lane_count, force[b], moment[b]);
     }
   }
   return result;
