@@ -46,7 +46,8 @@ std::vector<Encounter> impacts() {
   return {
       {"grain-grain, head-on",
        1,
-       {{{-4, -4, 20}, {0.5, 0, 0}, none}, {{-2.99, -4, 20}, {-0.5, 0, 0}, none}}},
+       // Not a whole number of steps apart: rounding would decide in which of two they touch.
+       {{{-4, -4, 20}, {0.5, 0, 0}, none}, {{-2.989997, -4, 20}, {-0.5, 0, 0}, none}}},
       {"grain-grain, oblique, sliding",
        1,
        {{{-4, 0, 20}, {0.5, 1, 0}, some}, {{-2.99, 0, 20}, {-0.5, -1, 0.4}, -some}}},
