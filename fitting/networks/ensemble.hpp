@@ -20,9 +20,9 @@ struct NamedNumber {
 /// The numbers of Sec. III B and C of Sun 2006 for one snapshot: its networks, the largest one, the
 /// rows of Table II, the fits of P(f) over all contacts by both methods and the shifts theta of the
 /// trees' (Eq. 13), what passes capture against all contacts (theta, beta, shares of forces below
-/// half the mean and below the mean, F(r) within 3 d), and of F(r) its highest bin, where that lies,
-/// its plateau (mean over 4 to 6 d) and both its peak and its value at 3 d over the plateau. Always the same names in the same
-/// order.
+/// half the mean and below the mean, F(r) within 3 d), and of F(r) its highest bin, where that
+/// lies, its plateau (mean over 4 to 6 d) and both its peak and its value at 3 d over the plateau.
+/// Always the same names in the same order.
 std::vector<NamedNumber> numbers_of(const Analysis& analysis);
 
 /// A bed of an ensemble at one instant.

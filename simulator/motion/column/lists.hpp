@@ -218,8 +218,12 @@ class ColumnLists {
       widths_[j] = std::max(widths_[j], width);
     }
     fallen_ = Four{};
+    // A held grain does not fall with the others.
+    const double not_falling =
+        physics_.largest_field() * static_cast<double>(window_steps + 1) * physics_.time_step;
     for (std::uint32_t i = 0; i < rows.count(); ++i) {
-      promises_[i] = make_promise(rows.own[i].half_velocity, widths_[i]);
+      const double width = widths_[i] + (rows.grain[i] == held_ ? not_falling : 0);
+      promises_[i] = make_promise(rows.own[i].half_velocity, width);
     }
   }
 
