@@ -64,6 +64,10 @@ struct BaseMotion {
     const SineCosine s = sine_cosine_of_cycles(cycles);
     return {amplitude * s.sine, peak_velocity * s.cosine};
   }
+  /// A omega^2 [g].
+  double largest_acceleration() const {
+    return amplitude == 0 ? 0 : peak_velocity * peak_velocity / amplitude;
+  }
 };
 
 }  // namespace shakebed::simulator

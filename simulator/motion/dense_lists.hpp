@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "simulator/motion/grid_row.hpp"
 #include "simulator/motion/may_meet.hpp"
 #include "simulator/motion/neighbours.hpp"
+#include "simulator/motion/pairs_of_rows.hpp"
 
 namespace shakebed::simulator {
 
@@ -54,6 +54,8 @@ class DenseLists {
     wall_stamp_.assign(near_walls.size() * n, -1);
     rebuild_outer();
     mark_touching(std::move(in_touch));
+    list_touching();
+    make_promises();
     open_window(step);
   }
 
@@ -73,6 +75,7 @@ class DenseLists {
     catch_up(step);
     make_promises();
     if (!outer_serves()) rebuild_outer();
+    list_touching();
     open_window(step);
   }
 
@@ -95,12 +98,11 @@ class DenseLists {
     const double left = static_cast<double>(window_end_ - step + 1) * physics_.time_step;
     promise(i, 2 * promises_[i].width + least_width());
     if (moved_since_build(i) + may_move(i, left) > 0.5 * skin_) window_end_ = step;
-    for (auto n = first_of_row_[i]; n < first_of_row_[i + 1]; ++n) {
-      const auto k = of_row_[n];
-      if (pair_stamp_[k] == window_) continue;
+    of_rows_.for_pairs_of(i, [&](std::uint32_t k) {
+      if (pair_stamp_[k] == window_) return;
       const auto& pair = outer_[k];
       wake_if_met(pair, pair.i == i ? pair.j : pair.i, k, step, left);
-    }
+    });
     list_near_walls(i, physics_.base_at_step(step % physics_.steps_per_cycle), left);
   }
 
@@ -189,8 +191,7 @@ class DenseLists {
   }
   /// No free grain's velocity against the base changes faster.
   double largest_acceleration() const {
-    const double peak = physics_.base.peak_velocity;
-    return physics_.gravity + (peak == 0 ? 0 : peak * peak / physics_.base.amplitude);
+    return physics_.gravity + physics_.base.largest_acceleration();
   }
 
   bool outer_serves() const {
@@ -216,23 +217,10 @@ class DenseLists {
     search_.find(position_, 2 * grain_radius + skin_, outer_);
     pair_stamp_.assign(outer_.size(), -1);
     mark_touching(std::move(before));
-    list_by_row();
+    of_rows_.list(rows.size(), outer_.size(), [&](std::size_t k) {
+      return std::pair{outer_[k].i, outer_[k].j};
+    });
     built_at_ = position_;
-  }
-
-  void list_by_row() {
-    first_of_row_.assign(rows.size() + 1, 0);
-    for (const auto& pair : outer_) {
-      ++first_of_row_[pair.i + 1];
-      ++first_of_row_[pair.j + 1];
-    }
-    std::partial_sum(first_of_row_.begin(), first_of_row_.end(), first_of_row_.begin());
-    of_row_.resize(2 * outer_.size());
-    next_ = first_of_row_;
-    for (std::uint32_t k = 0; k < outer_.size(); ++k) {
-      of_row_[next_[outer_[k].i]++] = k;
-      of_row_[next_[outer_[k].j]++] = k;
-    }
   }
 
   void mark_touching(std::vector<PairOfGrains> pairs) {
@@ -244,6 +232,13 @@ class DenseLists {
     for (std::size_t k = 0; k < outer_.size(); ++k) {
       const PairOfGrains key = std::minmax(outer_[k].i, outer_[k].j);
       in_contact_[k] = std::binary_search(pairs.begin(), pairs.end(), key);
+    }
+  }
+
+  void list_touching() {
+    touching.clear();
+    for (std::uint32_t k = 0; k < outer_.size(); ++k) {
+      if (in_contact_[k]) touching.push_back({outer_[k], k});
     }
   }
 
@@ -266,11 +261,6 @@ class DenseLists {
     ++window_;
     window_end_ = step + window_steps_;
     flown_to_ = step;
-    touching.clear();
-    for (std::uint32_t k = 0; k < outer_.size(); ++k) {
-      if (in_contact_[k]) touching.push_back({outer_[k], k});
-    }
-    make_promises();
     candidates.clear();
     on_grid_.assign(rows.size(), false);
     const double left = whole_window();
@@ -343,9 +333,7 @@ class DenseLists {
   std::vector<NeighbourPair<D>> outer_;
   std::vector<char> in_contact_;  ///< the outer pair touches at the present step
   std::vector<long> pair_stamp_;  ///< window in which the outer pair was last listed
-  std::vector<std::uint32_t> first_of_row_;
-  std::vector<std::uint32_t> next_;
-  std::vector<std::uint32_t> of_row_;  ///< each row's outer pairs
+  PairsOfRows of_rows_;
   std::vector<Promise> promises_;
   std::vector<double> widths_;
   std::vector<long> wall_stamp_;  ///< by wall and row: window in which it was last listed

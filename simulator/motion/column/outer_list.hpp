@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "simulator/motion/column/near_search.hpp"
 #include "simulator/motion/column/row_store.hpp"
+#include "simulator/motion/pairs_of_rows.hpp"
 
 namespace shakebed::simulator {
 
@@ -28,7 +29,7 @@ class OuterList {
   /// Gives `visit` the number of each pair that `row` is part of.
   template <class Visit>
   void for_pairs_of(std::uint32_t row, Visit visit) const {
-    for (std::size_t k = first_[row]; k < first_[row + 1]; ++k) visit(of_row_[k]);
+    of_rows_.for_pairs_of(row, visit);
   }
 
   /// Rows are in order of height.
@@ -56,7 +57,7 @@ class OuterList {
     for (std::size_t k = 0; k < size_; ++k) {
       contact_size_[k] = rows.radius[i_[k]] + rows.radius[j_[k]];
     }
-    list_by_row(n);
+    of_rows_.list(n, size_, [&](std::size_t k) { return std::pair{i_[k], j_[k]}; });
     built_at_.resize(n);
     for (std::size_t i = 0; i < n; ++i) built_at_[i] = rows.seen[i].position;
   }
@@ -68,8 +69,7 @@ class OuterList {
     a(i_);
     a(j_);
     a(contact_size_);
-    a(first_);
-    a(of_row_);
+    of_rows_.archive(a);
     a(built_at_);
   }
 
@@ -92,30 +92,13 @@ class OuterList {
     }
   }
 
-  void list_by_row(std::size_t n) {
-    first_.assign(n + 1, 0);
-    for (std::size_t k = 0; k < size_; ++k) {
-      ++first_[i_[k] + 1];
-      ++first_[j_[k] + 1];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    of_row_.resize(2 * size_);
-    next_ = first_;
-    for (std::uint32_t k = 0; k < size_; ++k) {
-      of_row_[next_[i_[k]]++] = k;
-      of_row_[next_[j_[k]]++] = k;
-    }
-  }
-
   NearSearch search_;
   double skin_ = 0;
   std::size_t size_ = 0;
   std::vector<std::uint32_t> i_;
   std::vector<std::uint32_t> j_;
   std::vector<double> contact_size_;
-  std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> next_;
-  std::vector<std::uint32_t> of_row_;
+  PairsOfRows of_rows_;
   std::vector<Four> built_at_;
 };
 

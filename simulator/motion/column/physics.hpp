@@ -72,10 +72,7 @@ struct ColumnPhysics {
   }
 
   /// No free grain's velocity against the container changes faster.
-  double largest_field() const {
-    if (base.amplitude == 0) return gravity;
-    return gravity + base.peak_velocity * base.peak_velocity / base.amplitude;
-  }
+  double largest_field() const { return gravity + base.largest_acceleration(); }
 
   /// Force of the drag on a grain of velocity v in the frame of the simulation.
   Triple<double> drag_force(const Triple<double>& v, double container_velocity) const {
