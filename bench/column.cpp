@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -16,13 +17,15 @@
 #include "simulator/scene/read_scene.hpp"
 #include "sweeps/store/bed_store.hpp"
 #include "sweeps/store/cache.hpp"
+#include "sweeps/thread_team.hpp"
 #include "tests/oracle/column_deck.hpp"
 
 // The bed of Sun 2006 at full size against LAMMPS' gran/hooke/history: the same 7601 grains at
 // T = 1.75, the same step, one core each, in turns. From there on: `stretch` steps of the expansion
 // stage, on to T = 1.9 untimed, `stretch` steps of the compression stage; or (--cycle) a whole
 // cycle. CPU time per grain and step; the ratio is LAMMPS' over ours. Neither knows springs older
-// than T = 1.75. --alone leaves LAMMPS out.
+// than T = 1.75. --alone leaves LAMMPS out; --threads N puts N threads on our bed beside one
+// instead: wall time with one over that with N.
 namespace {
 
 using namespace shakebed;
@@ -37,6 +40,7 @@ struct Options {
   long stretch = 2000;
   bool whole_cycle = false;
   bool alone = false;
+  int threads = 0;
 };
 
 /// Steps of each piece, and whether it is timed.
@@ -76,9 +80,11 @@ Options read_options(int argc, char** argv) {
       options.whole_cycle = true;
     } else if (word == "--alone") {
       options.alone = true;
+    } else if (word == "--threads") {
+      options.threads = std::atoi(value().c_str());
     } else {
-      throw files::bad_input(word,
-                             "expected --turns, --skin, --stretch, --set, --cycle or --alone");
+      throw files::bad_input(
+          word, "expected --turns, --skin, --stretch, --set, --cycle, --alone or --threads");
     }
   }
   return options;
@@ -94,13 +100,14 @@ std::vector<simulator::Override> overrides(const Options& options) {
 }
 
 std::vector<double> our_seconds(const Column& physics, const simulator::SizedGrains& start,
-                                long first, const std::vector<Piece>& all) {
-  simulator::ColumnStepper<Column> mover(physics, start, first);
+                                long first, const std::vector<Piece>& all, double (*now)(),
+                                simulator::Crew* crew = nullptr) {
+  simulator::ColumnStepper<Column> mover(physics, start, first, {}, -1, crew);
   std::vector<double> seconds;
   for (const auto& piece : all) {
-    const double before = simulator::thread_cpu_seconds();
+    const double before = now();
     mover.advance(piece.steps);
-    seconds.push_back(simulator::thread_cpu_seconds() - before);
+    seconds.push_back(now() - before);
   }
   return seconds;
 }
@@ -130,6 +137,10 @@ std::vector<double> lammps_seconds(const Options& options, const simulator::Colu
   return bench::cpu_seconds_of_runs(screen);
 }
 
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
@@ -156,9 +167,15 @@ void compare(const Options& options) {
   std::vector<std::vector<double>> ours(all.size()), theirs(all.size()), ratios(all.size());
   const double grains_count = static_cast<double>(start.count());
   for (int turn = 0; turn < options.turns; ++turn) {
-    const auto a = our_seconds(physics, start, first, all);
-    const auto b = options.alone ? std::vector<double>(all.size(), 0.0)
-                                 : lammps_seconds(options, *scene.column, physics, start, all);
+    std::vector<double> a, b(all.size(), 0.0);
+    if (options.threads > 0) {
+      sweeps::ThreadTeam team(options.threads);
+      a = our_seconds(physics, start, first, all, wall_seconds, &team);
+      b = our_seconds(physics, start, first, all, wall_seconds);
+    } else {
+      a = our_seconds(physics, start, first, all, simulator::thread_cpu_seconds);
+      if (!options.alone) b = lammps_seconds(options, *scene.column, physics, start, all);
+    }
     for (std::size_t k = 0; k < all.size(); ++k) {
       const double scale = 1e9 / (grains_count * static_cast<double>(all[k].steps));
       ours[k].push_back(a[k] * scale);
@@ -169,7 +186,10 @@ void compare(const Options& options) {
   std::printf("%zu grains, %ld steps a cycle, skin %g, %d turns, for %s\n", start.count(),
               parameters.steps_per_cycle, options.skin, options.turns,
               std::string(files::machine()).c_str());
-  std::printf("%-14s %14s %14s %8s\n", "stage", "LAMMPS [ns]", "shakebed [ns]", "ratio");
+  const std::string many = std::to_string(options.threads) + " threads [ns]";
+  std::printf("%-14s %14s %14s %8s\n", "stage",
+              options.threads > 0 ? "1 thread [ns]" : "LAMMPS [ns]",
+              options.threads > 0 ? many.c_str() : "shakebed [ns]", "ratio");
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!all[k].timed) continue;
     std::printf("%-14s %14.1f %14.1f %8.2f\n", all[k].name, median(theirs[k]), median(ours[k]),
@@ -182,7 +202,7 @@ void compare(const Options& options) {
 int main(int argc, char** argv) {
   try {
     const Options options = read_options(argc, argv);
-    if (!options.alone && !bench::lammps_is_here()) {
+    if (!options.alone && options.threads == 0 && !bench::lammps_is_here()) {
       std::printf(
           "no program lmp on PATH: nothing to compare with (make deps-oracle, or --alone)\n");
       return 0;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
-#include "files/build_info.hpp"
+#include "cli/version_text.hpp"
 #include "files/error.hpp"
 #include "files/yaml.hpp"
 
@@ -27,14 +27,6 @@ constexpr const char* set_help =
     "the scene's rate and keeps its amplitude, an amplitude keeps its rate, and\n"
     "two drive keys set replace both. layers and count replace each other, and\n"
     "so do measure.cycles and measure.until.";
-
-std::string version_text() {
-  using namespace files;
-  std::string text = "shakebed " + std::string(version());
-  text += "\nrevision " + std::string(git_revision());
-  text += "\ncompiled by " + std::string(compiler()) + " with " + std::string(compiler_flags());
-  return text + "\nfor " + std::string(machine()) + ", preset " + std::string(preset());
-}
 
 /// Every subcommand fills its options and, when it is the one called, sets what to do.
 using Action = std::function<int()>;
@@ -63,7 +55,7 @@ void add_cache(CLI::App* command, std::optional<std::filesystem::path>& cache) {
 }
 
 void add_jobs(CLI::App* command, int& jobs) {
-  command->add_option("--jobs", jobs, "Beds simulated at once; 0: one a core")
+  command->add_option("--jobs", jobs, "Cores, one a bed; 0: all there are")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str()
       ->type_name("N");
@@ -77,6 +69,9 @@ void add_run(CLI::App& app, Action& action) {
   run->add_option("--output", options->output, "Write the run file (HDF5) here")->type_name("FILE");
   run->add_option("--json", options->json, "Write the averages as JSON here; - is standard output")
       ->type_name("FILE|-");
+  run->add_option("--threads", options->threads, "For one bed in a container; 0: one a core")
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N");
 }
 
 void add_check(CLI::App& app, Action& action) {

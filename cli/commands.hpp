@@ -15,6 +15,7 @@ struct RunOptions {
   std::vector<std::string> set;                 ///< "base.drive.W=30"
   std::optional<std::filesystem::path> output;  ///< run file (HDF5)
   std::optional<std::string> json;              ///< path, or "-" for standard output
+  int threads = 0;                              ///< 0: one a core
 };
 int run_command(const RunOptions& options);
 

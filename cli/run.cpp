@@ -1,9 +1,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "cli/commands.hpp"
 #include "cli/overrides.hpp"
@@ -16,6 +18,7 @@
 #include "sweeps/store/bed_store.hpp"
 #include "sweeps/store/cache.hpp"
 #include "sweeps/store/run_file.hpp"
+#include "sweeps/thread_team.hpp"
 
 namespace shakebed::cli {
 namespace {
@@ -65,6 +68,10 @@ int run_command(const RunOptions& options) {
   simulator::RunControl control;
   const auto beds = sweeps::store::bed_store(sweeps::store::Cache::place(std::nullopt));
   control.store = &beds;
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  sweeps::ThreadTeam team(std::min(options.threads > 0 ? options.threads : std::max(1, cores),
+                                   simulator::useful_threads(scene)));
+  control.crew = &team;
   control.stop_requested = sweeps::StopSignals::raised;
   if (isatty(STDERR_FILENO) != 0) {
     control.on_progress = [shown = -1](double fraction) mutable {

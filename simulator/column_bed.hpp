@@ -30,7 +30,7 @@ class ColumnRun {
         physics_(bind_column_physics<Physics>(scene, parameters_.time_step,
                                               parameters_.steps_per_cycle)),
         bed_(prepared_bed<Physics>(scene, control)),
-        mover_(physics_, begun(bed_.grains), 0, bed_.memory) {}
+        mover_(make_mover(begun(bed_.grains))) {}
 
   void go() {
     resume();
@@ -89,6 +89,12 @@ class ColumnRun {
 
  private:
   static constexpr double seconds_between_saves = 60;
+  static constexpr bool is_fast = std::is_same_v<Mover, ColumnStepper<Physics>>;
+
+  Mover make_mover(const SizedGrains& grains) const {
+    if constexpr (is_fast) return {physics_, grains, 0, bed_.memory, -1, control_.crew};
+    if constexpr (!is_fast) return {physics_, grains, 0, bed_.memory};
+  }
 
   SizedGrains begun(SizedGrains grains) const {
     const double up = physics_.co_moving ? 0 : physics_.base.peak_velocity;
@@ -128,7 +134,7 @@ class ColumnRun {
   }
 
   std::string checkpoint_name() const {
-    return "checkpoint, physics version " + std::to_string(physics_version) + "\n" +
+    return "checkpoint by blocks, physics version " + std::to_string(physics_version) + "\n" +
            canonical_yaml(scene_);
   }
 
@@ -141,7 +147,7 @@ class ColumnRun {
 
   void save() {
     saved_at_ = thread_cpu_seconds();
-    if constexpr (std::is_same_v<Mover, ColumnStepper<Physics>>) {
+    if constexpr (is_fast) {
       if (control_.store == nullptr) return;
       ByteWriter writer;
       archive(writer);
@@ -152,7 +158,7 @@ class ColumnRun {
   /// Goes on from a checkpoint. Step number, and so the base's phase, are part of it.
   void resume() {
     saved_at_ = thread_cpu_seconds();
-    if constexpr (std::is_same_v<Mover, ColumnStepper<Physics>>) {
+    if constexpr (is_fast) {
       if (control_.store == nullptr) return;
       const auto bytes = control_.store->load(checkpoint_name());
       if (!bytes) return;
@@ -175,10 +181,10 @@ class ColumnRun {
 
 /// Packing the bed is not part of its measured cycles.
 template <class Run>
-void run_timed(Run& run, Record& record) {
+void run_timed(Run& run, Record& record, const RunControl& control) {
   const double packed = thread_cpu_seconds();
   run.go();
-  record.timing.cpu_seconds_measuring = thread_cpu_seconds() - packed;
+  record.timing.cpu_seconds_measuring = (thread_cpu_seconds() - packed) * threads_of(control);
   run.write(record);
 }
 
@@ -186,10 +192,10 @@ template <class Physics>
 void run_column_with(Record& record, const Scene& scene, const RunControl& control) {
   if (scene.protocol.engine == Engine::uniform) {
     ColumnRun<Physics, ColumnReference<Physics>> run(scene, control);
-    run_timed(run, record);
+    run_timed(run, record, control);
   } else {
     ColumnRun<Physics, ColumnStepper<Physics>> run(scene, control);
-    run_timed(run, record);
+    run_timed(run, record, control);
   }
 }
 

@@ -143,7 +143,7 @@ class Pouring {
 
   ColumnStepper<Physics> mover_of(const Physics& physics, const PreparedBed& bed) const {
     const std::int64_t held = scene_.column->has_large ? 0 : -1;
-    return {physics, bed.grains, 0, {}, held};
+    return {physics, bed.grains, 0, {}, held, control_.crew};
   }
 
   void shake(PreparedBed& bed) {

@@ -63,7 +63,7 @@ class Preparation {
     add_dashpot(still.grain_grain);
     add_dashpot(still.grain_wall);
     if (scene_.column->has_large) set_row(bed.grains.velocity, 0, Vector<3>(0, 0, 0));
-    ColumnStepper<Physics> mover(still, bed.grains);
+    ColumnStepper<Physics> mover(still, bed.grains, 0, {}, -1, control_.crew);
     bed.relaxed_for +=
         bring_to_rest(mover, still.time_step, scene_.column->prepare_kinetic_energy, control_);
     bed.grains = mover.synchronised();

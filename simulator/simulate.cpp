@@ -6,6 +6,7 @@
 #include "simulator/contact/frictionless.hpp"
 #include "simulator/contact/parameters.hpp"
 #include "simulator/contact/viscous_coulomb.hpp"
+#include "simulator/motion/column/block_cuts.hpp"
 #include "simulator/motion/walled_physics.hpp"
 #include "simulator/run_bed.hpp"
 #include "simulator/scene/read_scene.hpp"
@@ -24,7 +25,7 @@ Record run_in_container(const Scene& scene, const RunControl& control) {
   record.canonical_scene = canonical_yaml(scene);
   const bool hertz = scene.column->overlap_law == OverlapLaw::hertz;
   (hertz ? run_hertz_column : run_linear_column)(record, scene, control);
-  record.timing.cpu_seconds = thread_cpu_seconds() - started;
+  record.timing.cpu_seconds = (thread_cpu_seconds() - started) * threads_of(control);
   record.timing.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   return record;
@@ -42,6 +43,12 @@ Record run_in(const Scene& scene, const RunControl& control) {
 }
 
 }  // namespace
+
+int useful_threads(const Scene& scene) {
+  if (!scene.column || scene.protocol.engine == Engine::uniform) return 1;
+  const auto grains = static_cast<std::size_t>(scene.grains.count) + scene.column->has_large;
+  return static_cast<int>(BlockCuts(grains).count());
+}
 
 Record simulate(const Scene& scene, const RunControl& control) {
   if (scene.column) return run_in_container(scene, control);

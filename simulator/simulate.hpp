@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "simulator/bed_store.hpp"
+#include "simulator/crew.hpp"
 #include "simulator/record.hpp"
 #include "simulator/scene/scene.hpp"
 
@@ -17,9 +18,17 @@ struct RunControl {
   /// Fraction of the expected work done, in [0, 1], about once a cycle.
   std::function<void(double)> on_progress;
   const BedStore* store = nullptr;  ///< used by beds in a container
+  Crew* crew = nullptr;             ///< shares the work of a bed in a container
 };
 
-/// One bed, one thread: fill, settle, discard the transient, measure.
+inline int threads_of(const RunControl& control) {
+  return control.crew != nullptr ? control.crew->threads() : 1;
+}
+
+/// How many threads can share the work on one bed of this scene.
+int useful_threads(const Scene& scene);
+
+/// One bed, one thread but for those of `crew`: fill, settle, discard the transient, measure.
 /// Throws files::Error when the scene cannot be simulated.
 Record simulate(const Scene& scene, const RunControl& control = {});
 

@@ -14,6 +14,7 @@
 #include "files/error.hpp"
 #include "sweeps/cost_model.hpp"
 #include "sweeps/store/bed_store.hpp"
+#include "sweeps/thread_team.hpp"
 
 namespace shakebed::sweeps {
 namespace {
@@ -62,6 +63,7 @@ class Ensemble {
   /// The pipeline's token limit is what keeps the number of living records at `jobs`; its last
   /// stage is the one writer.
   void run(const std::vector<Task>& tasks, int jobs) {
+    threads_per_bed_ = std::max(1, jobs / static_cast<int>(tasks.size()));
     std::size_t next = 0;
     const auto hand_out = [&](tbb::flow_control& control) {
       if (next == tasks.size() || stop_requested()) {
@@ -97,8 +99,10 @@ class Ensemble {
       shown = share;
     };
     try {
+      const auto& scene = runs_[task.run].scene;
+      ThreadTeam team(std::min(threads_per_bed_, simulator::useful_threads(scene)));
       outcome.record =
-          runner_(runs_[task.run].scene, {[this] { return stop_requested(); }, advance_to, &beds_});
+          runner_(scene, {[this] { return stop_requested(); }, advance_to, &beds_, &team});
     } catch (const files::Interrupted&) {
       return outcome;
     } catch (const std::exception& error) {
@@ -137,6 +141,7 @@ class Ensemble {
   const Runner& runner_;
   const EnsembleOptions& options_;
   EnsembleReport& report_;
+  int threads_per_bed_ = 1;
   std::atomic<bool> cannot_write_ = false;
   const simulator::BedStore beds_ = store::bed_store(cache_.folder());
   const store::Provenance provenance_ = store::provenance_of_this_program();

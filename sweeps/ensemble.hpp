@@ -18,7 +18,7 @@ using Runner =
     std::function<simulator::Record(const simulator::Scene&, const simulator::RunControl&)>;
 
 struct EnsembleOptions {
-  int jobs = 0;                          ///< beds at once; 0: one a core
+  int jobs = 0;                          ///< cores, one a bed; 0: all there are
   std::function<bool()> stop_requested;  ///< polled by every bed; may be empty
   Progress* progress = nullptr;
 };
@@ -37,9 +37,10 @@ struct EnsembleReport {
 };
 
 /// Simulates every run that the cache lacks: one bed, one task, one thread; dearest first by
-/// predicted cost. Records live only until they are written, so at most `jobs` of them exist at
-/// once, however many runs there are. What a bed leaves depends on its scene and seed alone, so
-/// neither the number of threads nor the order nor an interruption shows in the cache.
+/// predicted cost. Where there are more cores than beds, beds in containers share out the rest
+/// among them as teams of threads. Records live only until they are written, so at most `jobs` of
+/// them exist at once, however many runs there are. What a bed leaves depends on its scene and seed
+/// alone, so neither the number of threads nor the order nor an interruption shows in the cache.
 ///
 /// A run that throws is reported, noted in the cache and does not hinder the others. A cache that
 /// cannot be written stops everything and throws.

@@ -14,8 +14,8 @@ using files::number_text;
 using simulator::Estimate;
 using simulator::Record;
 
-/// Measured columns, whether or not the bed has them. An empty box has no temperature over time, but
-/// counts as cold at an instant.
+/// Measured columns, whether or not the bed has them. An empty box has no temperature over time,
+/// but counts as cold at an instant.
 struct Measured {
   const char* name;
   const char* unit;

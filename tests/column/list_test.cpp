@@ -42,11 +42,11 @@ Pairs all_within(const RowStore& rows, double skin) {
 
 TEST_CASE("the outer list holds every pair within its skin once") {
   for (const double skin : {0.05, 0.5, 1.5, 5.0}) {
-    for (const std::size_t n : {1, 2, 9, 900}) {
+    for (const std::size_t n : {1, 2, 9, 900, 1700}) {
       CAPTURE(skin, n);
       RowStore rows(scattered(n, 11));
       rows.reorder(rows.by_height());
-      OuterList list(5);
+      OuterList list(5, BlockCuts(n));
       list.build(rows, skin);
       Pairs found;
       for (std::size_t k = 0; k < list.size(); ++k) {

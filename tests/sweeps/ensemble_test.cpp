@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "files/error.hpp"
+#include "simulator/scene/read_scene.hpp"
 #include "sweeps/cost_model.hpp"
 #include "sweeps/stop_signals.hpp"
 #include "tests/sweeps/small_sweep.hpp"
@@ -48,6 +49,31 @@ std::size_t run_files(const Cache& cache) {
 }
 
 Record pretend(const Scene& scene, const RunControl&) { return pretended_record(scene); }
+
+// What a bed does with its threads is tested in tests/column.
+TEST_CASE("Cores that have no bed of their own help with one in a container, and with no other") {
+  const SmallSweep small;
+  auto runs = sweeps::runs_of(small.grid(twelve_points));
+  runs.resize(2);
+  const auto threads_seen = [&](int jobs, const std::string& name) {
+    std::atomic<int> most = 0;
+    const auto count = [&](const Scene& scene, const RunControl& control) {
+      most = std::max(most.load(), simulator::threads_of(control));
+      return pretended_record(scene);
+    };
+    run_ensemble(runs, Cache(small.folder.path() / name), count, {jobs, {}, nullptr});
+    return most.load();
+  };
+  CHECK(threads_seen(4, "periodic") == 1);
+  for (auto& run : runs) {
+    run.scene = simulator::read_scene(SHAKEBED_SCENES "/brazil_nut.yaml",
+                                      {{"grains.count", "1700"}});
+  }
+  CHECK(threads_seen(1, "one core") == 1);
+  CHECK(threads_seen(2, "a core each") == 1);
+  CHECK(threads_seen(6, "three each") == 3);
+  CHECK(threads_seen(64, "more than blocks") == 4);
+}
 
 TEST_CASE("Data sets are the same for any number of threads and after an interruption") {
   const SmallSweep small;

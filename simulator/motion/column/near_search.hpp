@@ -39,27 +39,32 @@ class NearSearch {
     row_.assign(room, std::numeric_limits<std::uint32_t>::max());
     for (auto& column : position_) column.assign(room, far_away);
     radius_.assign(room, 0);
-    next_.assign(begin_.begin(), begin_.end() - 1);
+    Cursor next = cursor();
     for (std::size_t i = 0; i < n; ++i) {
       if (strip_of_[i] == nowhere) continue;
-      const std::size_t k = next_[strip_of_[i]]++;
+      const std::size_t k = next[strip_of_[i]]++;
       row_[k] = static_cast<std::uint32_t>(i);
       for (int c = 0; c < 3; ++c) position_[c][k] = rows.seen[i].position[c];
       radius_[k] = rows.radius[i];
     }
-    next_.assign(begin_.begin(), begin_.end() - 1);
   }
 
+  /// How far rows in rising order have come in each strip.
+  using Cursor = std::vector<std::size_t>;
+  Cursor cursor() const { return {begin_.begin(), begin_.end() - 1}; }
+
   /// Gives `visit(j)` each row j > i that was taken up and lies within a_i + a_j + skin of row i.
-  /// To be asked for rows i in rising order.
+  /// To be asked with one cursor for rows i in rising order.
   template <class Visit>
-  void for_near_above(const RowStore& rows, std::uint32_t i, double skin, Visit visit) {
+  void for_near_above(const RowStore& rows, std::uint32_t i, double skin, Cursor& cursor,
+                      Visit visit) const {
     if (strip_of_[i] == nowhere) return;
     const std::size_t cx = strip_of_[i] / across_;
     const std::size_t cy = strip_of_[i] % across_;
     for (std::size_t sx = cx == 0 ? 0 : cx - 1; sx <= std::min(cx + 1, across_ - 1); ++sx) {
       for (std::size_t sy = cy == 0 ? 0 : cy - 1; sy <= std::min(cy + 1, across_ - 1); ++sy) {
-        look_into(sx * across_ + sy, rows.seen[i].position, rows.radius[i] + skin, i, visit);
+        const std::size_t strip = sx * across_ + sy;
+        look_into(cursor[strip], rows.seen[i].position, rows.radius[i] + skin, i, visit);
       }
     }
   }
@@ -78,9 +83,8 @@ class NearSearch {
   }
 
   template <class Visit>
-  [[gnu::always_inline]] void look_into(std::size_t strip, const Four& x, double own_reach,
-                                        std::uint32_t i, Visit visit) {
-    std::size_t& first = next_[strip];
+  [[gnu::always_inline]] void look_into(std::size_t& first, const Four& x, double own_reach,
+                                        std::uint32_t i, Visit visit) const {
     while (row_[first] <= i) ++first;
     for (std::size_t k = first; position_[2][k] <= x[2] + reach_; k += lane_count) {
       const Lanes dx = load_lanes(&position_[0][k]) - Lanes(x[0]);
@@ -100,7 +104,6 @@ class NearSearch {
   std::size_t across_ = 1;
   std::vector<std::uint32_t> strip_of_;
   std::vector<std::size_t> begin_;
-  std::vector<std::size_t> next_;
   std::vector<std::uint32_t> row_;
   std::array<std::vector<double>, 3> position_;
   std::vector<double> radius_;

@@ -11,7 +11,7 @@
 
 namespace shakebed::simulator {
 
-/// Which rows can touch base or side wall before the window's end.
+/// Which rows of a block can touch base or side wall before the window's end.
 template <class Physics>
 class NearWalls {
  public:
@@ -20,7 +20,7 @@ class NearWalls {
 
   struct NearWall {
     WallList<walls_remember> list;
-    std::vector<long> stamp;  ///< window in which the row was last listed
+    std::vector<long> stamp;  ///< window in which the block's row was last listed
 
     template <class Archive>
     void archive(Archive& a) {
@@ -32,31 +32,39 @@ class NearWalls {
   /// What is left of the window, and what rows promise for it.
   struct Outlook {
     double left;
-    const std::vector<Promise>& promises;
+    const Promises& promises;
   };
 
   NearWall base;
   NearWall side;
 
-  void resize_to(std::size_t n) {
-    base.stamp.assign(n, -1);
-    side.stamp.assign(n, -1);
+  void take_rows(std::uint32_t begin, std::uint32_t end) {
+    begin_ = begin;
+    end_ = end;
+    base.stamp.assign(end - begin, -1);
+    side.stamp.assign(end - begin, -1);
   }
 
   bool listed(std::uint32_t i, long window) const {
-    return base.stamp[i] == window || side.stamp[i] == window;
+    return base.stamp[i - begin_] == window || side.stamp[i - begin_] == window;
   }
 
-  void recall(const RowStore& rows, std::uint32_t i, const ContactMemory& one) {
-    auto& wall = one.j == base_partner ? base : side;
-    wall.list.push(i, rows.radius[i], rows.mass[i], one.u);
+  void recall(const RowStore& rows, std::uint32_t i, std::int32_t partner,
+              const Triple<double>& u) {
+    auto& wall = partner == base_partner ? base : side;
+    wall.list.push(i, rows.radius[i], rows.mass[i], u);
   }
 
-  void rename(const std::vector<std::uint32_t>& new_row) {
-    for (auto* wall : {&base, &side}) {
-      for (std::size_t k = 0; k < wall->list.size; ++k) {
-        wall->list.row[k] = new_row[wall->list.row[k]];
+  /// Empties the lists; `keep(row, partner, u)` is given what contacts remember.
+  template <class Keep>
+  void give_up(Keep keep) {
+    for (const std::int32_t partner : {base_partner, side_partner}) {
+      auto& list = (partner == base_partner ? base : side).list;
+      for (std::size_t k = 0; k < list.size; ++k) {
+        const auto u = list.memory_at(k);
+        if (remembers(u)) keep(list.row[k], partner, u);
       }
+      list.clear();
     }
   }
 
@@ -65,7 +73,7 @@ class NearWalls {
               const Outlook& outlook) {
     keep_remembering(base, window);
     keep_remembering(side, window);
-    for (std::uint32_t i = 0; i < rows.count(); ++i) list(rows, i, physics, now, window, outlook);
+    for (std::uint32_t i = begin_; i < end_; ++i) list(rows, i, physics, now, window, outlook);
   }
 
   /// Lists row i under the walls that it can reach, the base being as it is `now`.
@@ -74,7 +82,7 @@ class NearWalls {
     const auto& x = rows.seen[i].position;
     const auto& v = rows.own[i].half_velocity;
     const double left = outlook.left;
-    const double width = static_cast<double>(outlook.promises[i][3]);
+    const double width = outlook.promises.width(i);
     const double off = (width + physics.largest_field() * left) * left;
     const double nearing = std::max(now.velocity - v[2], 0.0) * left;
     if (x[2] - rows.radius[i] - now.height < nearing + off) enter(base, rows, i, window);
@@ -92,22 +100,27 @@ class NearWalls {
   }
 
  private:
-  static void enter(NearWall& wall, const RowStore& rows, std::uint32_t i, long window) {
-    if (wall.stamp[i] == window) return;
-    wall.stamp[i] = window;
+  static bool remembers(const Triple<double>& u) { return u.x != 0 || u.y != 0 || u.z != 0; }
+
+  void enter(NearWall& wall, const RowStore& rows, std::uint32_t i, long window) const {
+    if (wall.stamp[i - begin_] == window) return;
+    wall.stamp[i - begin_] = window;
     wall.list.push(i, rows.radius[i], rows.mass[i], {0, 0, 0});
   }
 
-  static void keep_remembering(NearWall& wall, long window) {
+  void keep_remembering(NearWall& wall, long window) const {
     const auto old = wall.list;
     wall.list.clear();
     for (std::size_t k = 0; k < old.size; ++k) {
       const auto u = old.memory_at(k);
-      if (u.x == 0 && u.y == 0 && u.z == 0) continue;
-      wall.stamp[old.row[k]] = window;
+      if (!remembers(u)) continue;
+      wall.stamp[old.row[k] - begin_] = window;
       wall.list.push(old.row[k], old.radius[k], old.mass[k], u);
     }
   }
+
+  std::uint32_t begin_ = 0;
+  std::uint32_t end_ = 0;
 };
 
 }  // namespace shakebed::simulator

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
@@ -53,26 +52,9 @@ class PairList {
     for (std::size_t k = size_; k < size_ + lane_count; ++k) set(k, a, b, 1, 0.5, {0, 0, 0});
   }
 
-  /// Rows were put in another order: row r is now called new_row[r].
-  void rename(const std::vector<std::uint32_t>& new_row) {
-    for (std::size_t k = 0; k < size_; ++k) {
-      i_[k] = new_row[i_[k]];
-      j_[k] = new_row[j_[k]];
-    }
-  }
-
-  /// In rising order of i, then j: neighbours in memory one after the other.
-  void sort() {
-    std::vector<std::uint32_t> order(size_);
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return i_[a] != i_[b] ? i_[a] < i_[b] : j_[a] < j_[b];
-    });
-    take(i_, order);
-    take(j_, order);
-    take(contact_size_, order);
-    take(effective_mass_, order);
-    for (auto& column : memory_) take(column, order);
+  /// Numbers of the pairs in rising order of i, then j, for rows below `rows`.
+  std::vector<std::uint32_t> sorted(std::size_t rows) const {
+    return stably_by(i_, stably_by(j_, {}, rows), rows);
   }
 
   template <class Archive>
@@ -98,10 +80,19 @@ class PairList {
     for (auto& column : memory_) column.resize(room);
   }
 
-  template <class Value>
-  static void take(std::vector<Value>& values, const std::vector<std::uint32_t>& order) {
-    const std::vector<Value> before = values;
-    for (std::size_t k = 0; k < order.size(); ++k) values[k] = before[order[k]];
+  /// `order` (all pairs as they stand, if empty) by counting sort.
+  std::vector<std::uint32_t> stably_by(const std::vector<std::uint32_t>& row,
+                                       const std::vector<std::uint32_t>& order,
+                                       std::size_t rows) const {
+    std::vector<std::uint32_t> next(rows + 1, 0);
+    for (std::size_t k = 0; k < size_; ++k) ++next[row[k] + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<std::uint32_t> by(size_);
+    for (std::uint32_t n = 0; n < size_; ++n) {
+      const std::uint32_t k = order.empty() ? n : order[n];
+      by[next[row[k]]++] = k;
+    }
+    return by;
   }
 
   void set(std::size_t k, std::uint32_t a, std::uint32_t b, double contact_size,

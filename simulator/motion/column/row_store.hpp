@@ -11,28 +11,41 @@
 namespace shakebed::simulator {
 
 /// The grains of a bed in rows kept in order of height, so that neighbours in space are neighbours
-/// in memory. Two more rows, far apart, fill up SIMD vectors and touch nothing.
+/// in memory. Behind them stand pairs of rows, far apart, that fill up SIMD vectors and touch
+/// nothing: one for each list that is worked on at the same time as others.
 struct RowStore {
   std::vector<SeenRow> seen;
   std::vector<OwnRow> own;
   std::vector<PullRow> pull;
+  std::vector<PullRow> spill;  ///< what the block below adds to `pull`, put aside
   std::vector<double> radius;
   std::vector<double> mass;
   std::vector<std::uint32_t> grain;  ///< which grain a row holds
 
   std::size_t count() const { return grain.size(); }
 
-  explicit RowStore(const SizedGrains& start) {
+  double effective_mass(std::uint32_t i, std::uint32_t j) const {
+    return mass[i] * mass[j] / (mass[i] + mass[j]);
+  }
+
+  /// The first row of the pair that fills up a list's vectors.
+  std::uint32_t padding(std::size_t list) const {
+    return static_cast<std::uint32_t>(count() + 2 * list);
+  }
+
+  explicit RowStore(const SizedGrains& start, std::size_t padded_lists = 1) {
     const std::size_t n = start.count();
-    seen.assign(n + 2, SeenRow{});
-    own.assign(n + 2, OwnRow{});
-    pull.assign(n + 2, PullRow{});
+    const std::size_t room = n + 2 * padded_lists;
+    seen.assign(room, SeenRow{});
+    own.assign(room, OwnRow{});
+    pull.assign(room, PullRow{});
+    spill.assign(room, PullRow{});
     radius = start.radius;
     mass = start.mass;
     grain.resize(n);
     std::iota(grain.begin(), grain.end(), 0U);
     constexpr double far_away = 1e6;
-    seen[n + 1].position[0] = far_away;
+    for (std::size_t k = n + 1; k < room; k += 2) seen[k].position[0] = far_away;
     for (std::size_t i = 0; i < n; ++i) {
       const double inverse = 1 / mass[i];
       for (int c = 0; c < 3; ++c) {

@@ -16,6 +16,9 @@ namespace shakebed::simulator {
 /// within the next window are chosen; of these the touching ones and the candidates are kept apart,
 /// each in SIMD vectors, with the contacts' memory in the list. Grains that can touch nothing
 /// within the window are left where they are and carried along their parabola when it is over.
+///
+/// A step is three tasks for the crew, block by block: move rows; look around where promises were
+/// broken; add contacts. What the threads write in each is their block's.
 template <class Physics>
 class ColumnStepper {
  public:
@@ -24,14 +27,15 @@ class ColumnStepper {
 
   /// A `held` grain stays where it is (in the frame of the simulation), whatever pushes it.
   ColumnStepper(const Physics& physics, const SizedGrains& start, long first_step = 0,
-                const std::vector<ContactMemory>& remembered = {}, std::int64_t held = -1)
+                const std::vector<ContactMemory>& remembered = {}, std::int64_t held = -1,
+                Crew* crew = nullptr)
       : physics_(physics),
-        lists_(physics, start, first_step, remembered, held),
+        lists_(physics, start, first_step, remembered, held, crew),
         state_(start),
         step_(first_step) {
-    if (physics_.drag.any()) add_drag();
-    sum_forces(0);
-    counters_ = {};
+    touch_all(0);
+    for (Block& block : lists_.blocks.all()) block.counters = {};
+    take_up_spill();
     const double h = 0.5 * physics_.time_step;
     for (std::uint32_t i = 0; i < rows().count(); ++i) {
       auto& own = rows().own[i];
@@ -42,12 +46,30 @@ class ColumnStepper {
 
   void advance(long steps) {
     for (long s = 0; s < steps; ++s) step();
+    take_up_spill();
   }
 
   long step_number() const { return step_; }
-  const ContactCounters& counters() const { return counters_; }
-  long touching_pairs() const { return static_cast<long>(lists_.touching.size()); }
-  long touching_walls() const { return touching_walls_; }
+  ContactCounters counters() const {
+    ContactCounters all;
+    for (const Block& block : lists_.blocks.all()) {
+      all.pair_steps += block.counters.pair_steps;
+      all.wall_steps += block.counters.wall_steps;
+      all.largest_overlap = std::max(all.largest_overlap, block.counters.largest_overlap);
+    }
+    return all;
+  }
+  long touching_pairs() const {
+    long pairs = 0;
+    for (const Block& block : lists_.blocks.all())
+      pairs += static_cast<long>(block.touching.size());
+    return pairs;
+  }
+  long touching_walls() const {
+    long contacts = 0;
+    for (const Block& block : lists_.blocks.all()) contacts += block.touching_walls;
+    return contacts;
+  }
   const ColumnLists<Physics>& lists() const { return lists_; }
 
   /// Positions, velocities and spins at the present step. Leaves the motion as it is.
@@ -74,19 +96,7 @@ class ColumnStepper {
   /// All contacts of the present step, with forces as they acted.
   std::vector<ColumnContact> contacts() const {
     std::vector<ColumnContact> found;
-    const auto& list = lists_.touching;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      auto i = list.i()[k];
-      auto j = list.j()[k];
-      auto u = list.memory_at(k);
-      if (grain_of(i) > grain_of(j)) {
-        std::swap(i, j);
-        u = -1.0 * u;  // as seen from the other grain
-      }
-      found.push_back(contact_now(physics_.grain_grain, grain_of(i), grain_of(j),
-                                  pair_state(seen_grain(i), seen_grain(j)),
-                                  as_memory<PairMemory>(u)));
-    }
+    for (const Block& block : lists_.blocks.all()) add_contacts(found, block.touching);
     const auto walls = wall_contacts();
     found.insert(found.end(), walls.begin(), walls.end());
     return found;
@@ -95,11 +105,15 @@ class ColumnStepper {
   std::vector<ColumnContact> wall_contacts() const {
     std::vector<ColumnContact> found;
     const BaseState base = physics_.base_at(step_);
-    add_wall_contacts(found, lists_.walls.base.list, base_partner,
-                      [&](const SeenGrain& grain) { return base_state(grain, base); });
-    add_wall_contacts(found, lists_.walls.side.list, side_partner, [&](const SeenGrain& grain) {
-      return side_state(grain, physics_.cylinder, base);
-    });
+    for (const Block& block : lists_.blocks.all()) {
+      add_wall_contacts(found, block.walls.base.list, base_partner,
+                        [&](const SeenGrain& grain) { return base_state(grain, base); });
+    }
+    for (const Block& block : lists_.blocks.all()) {
+      add_wall_contacts(found, block.walls.side.list, side_partner, [&](const SeenGrain& grain) {
+        return side_state(grain, physics_.cylinder, base);
+      });
+    }
     return found;
   }
 
@@ -107,16 +121,14 @@ class ColumnStepper {
   template <class Archive>
   void archive(Archive& a) {
     a(step_);
-    a(touching_walls_);
-    a(counters_.pair_steps);
-    a(counters_.wall_steps);
-    a(counters_.largest_overlap);
     lists_.archive(a);
   }
 
  private:
-  RowStore& rows() { return lists_.rows; }
-  const RowStore& rows() const { return lists_.rows; }
+  using Block = ColumnBlock<Physics>;
+
+  RowStore& rows() { return lists_.blocks.rows; }
+  const RowStore& rows() const { return lists_.blocks.rows; }
 
   std::int32_t grain_of(std::uint32_t row) const {
     return static_cast<std::int32_t>(rows().grain[row]);
@@ -135,6 +147,22 @@ class ColumnStepper {
       return {};
     } else {
       return u;
+    }
+  }
+
+  template <class List>
+  void add_contacts(std::vector<ColumnContact>& found, const List& list) const {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      auto i = list.i()[k];
+      auto j = list.j()[k];
+      auto u = list.memory_at(k);
+      if (grain_of(i) > grain_of(j)) {
+        std::swap(i, j);
+        u = -1.0 * u;  // as seen from the other grain
+      }
+      found.push_back(contact_now(physics_.grain_grain, grain_of(i), grain_of(j),
+                                  pair_state(seen_grain(i), seen_grain(j)),
+                                  as_memory<PairMemory>(u)));
     }
   }
 
@@ -163,22 +191,32 @@ class ColumnStepper {
     return b;
   }
 
-  void step() {
-    if (lists_.window_over(step_)) lists_.open_next_window(step_);
-    broke_promise_.clear();
-    move_active();
-    ++step_;
-    if (physics_.drag.any()) add_drag();
-    for (const auto i : broke_promise_) lists_.look_again(i, step_);
-    sum_forces(physics_.time_step);
+  void take_up_spill() {
+    lists_.blocks.share([&](Block&, std::size_t p) { lists_.blocks.take_up_spill(p); });
   }
 
-  void move_active() {
+  void step() {
+    if (lists_.window_over(step_)) lists_.open_next_window(step_);
+    const Four field = field_row(step_);
+    lists_.promises().note_fall(physics_.time_step * field);
+    lists_.blocks.share([&](Block& block, std::size_t p) {
+      lists_.blocks.take_up_spill(p);
+      move_active(block, field);
+    });
+    ++step_;
+    if (lists_.any_broken()) {
+      lists_.blocks.share([&](Block& block, std::size_t) { lists_.look_around(block, step_); });
+      lists_.enter_found(step_);
+    }
+    touch_all(physics_.time_step);
+  }
+
+  void move_active(Block& block, const Four& field) {
     const double dt = physics_.time_step;
     const double ahead = physics_.prediction();
-    const Four field = field_row(step_);
-    lists_.note_fall(dt * field);
-    for (const auto i : lists_.active) {
+    auto& promises = lists_.promises();
+    block.broke_promise.clear();
+    for (const auto i : block.active) {
       SeenRow& seen = rows().seen[i];
       OwnRow& own = rows().own[i];
       PullRow& pull = rows().pull[i];
@@ -197,79 +235,88 @@ class ColumnStepper {
         seen.rim_velocity = s + ahead * b;
         pull.moment = Four{};
       }
-      if (lists_.breaks_promise(i, v)) [[unlikely]]
-        broke_promise_.push_back(i);
+      if (promises.broken(i, v)) [[unlikely]] {
+        promises.renew(rows(), i);
+        block.broke_promise.push_back(i);
+      }
     }
   }
 
-  void add_drag() {
+  /// All contacts of the present step. Those of `far` pull rows of any block.
+  void touch_all(double dt) {
     const double container = physics_.lab_base_at(step_).velocity;
-    for (const auto i : lists_.active) {
+    const BaseState base = physics_.base_at(step_);
+    lists_.blocks.share([&](Block& block, std::size_t) {
+      if (physics_.drag.any()) add_drag(block, container);
+      touch_pairs_of(block, dt);
+      touch_walls_of(block, base, dt);
+    });
+    touch_pairs_of(lists_.blocks.far(), dt);
+  }
+
+  void add_drag(const Block& block, double container) {
+    for (const auto i : block.active) {
       const auto& v = rows().seen[i].velocity;
       const auto f = physics_.drag_force({v[0], v[1], v[2]}, container);
       rows().pull[i].force += Four{f.x, f.y, f.z, 0};
     }
   }
 
-  void sum_forces(double dt) {
-    auto& touching = lists_.touching;
-    auto& candidates = lists_.candidates;
-    changed_.clear();
-    find_begun(rows(), candidates, changed_);
-    for (auto k = changed_.rbegin(); k != changed_.rend(); ++k) {
-      touching.push(candidates.i()[*k], candidates.j()[*k], candidates.contact_size()[*k],
-                    candidates.effective_mass()[*k]);
+  void touch_pairs_of(Block& block, double dt) {
+    auto& touching = block.touching;
+    auto& candidates = block.candidates;
+    auto& changed = block.changed;
+    changed.clear();
+    find_begun(rows(), candidates, block.padding, changed);
+    for (auto k = changed.rbegin(); k != changed.rend(); ++k) {
+      block.begin_to_touch(candidates.i()[*k], candidates.j()[*k], candidates.contact_size()[*k],
+                           candidates.effective_mass()[*k]);
       candidates.remove(*k);
     }
-    changed_.clear();
+    changed.clear();
     using Memory = typename Physics::template PairMemory<Lanes>;
-    const auto pass = touch_pairs<Memory>(physics_.grain_grain, rows(), touching, dt, changed_);
-    for (auto k = changed_.rbegin(); k != changed_.rend(); ++k) {
+    const auto pass = touch_pairs<Memory>(physics_.grain_grain, rows(), touching, block.padding,
+                                          PullTarget(rows(), block.end), dt, changed);
+    for (auto k = changed.rbegin(); k != changed.rend(); ++k) {
       candidates.push(touching.i()[*k], touching.j()[*k], touching.contact_size()[*k],
                       touching.effective_mass()[*k]);
       touching.remove(*k);
     }
-    counters_.pair_steps += pass.touching;
-    note(pass);
-    touch_walls(dt);
-    counters_.wall_steps += touching_walls_;
+    block.counters.pair_steps += pass.touching;
+    note(block, pass);
   }
 
-  void touch_walls(double dt) {
+  void touch_walls_of(Block& block, const BaseState& base, double dt) {
     using Memory = typename Physics::template WallMemory<Lanes>;
-    const BaseState base = physics_.base_at(step_);
-    const auto low =
-        touch_wall<Memory>(physics_.grain_wall, rows(), lists_.walls.base.list, base.velocity, dt,
-                           [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
-                             c.normal = {Lanes(0.0), Lanes(0.0), Lanes(1.0)};
-                             c.overlap = Lanes(base.height) + radius - r.z;
-                           });
-    const auto around =
-        touch_wall<Memory>(physics_.grain_wall, rows(), lists_.walls.side.list, base.velocity, dt,
-                           [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
-                             const Lanes rho = std::experimental::sqrt(r.x * r.x + r.y * r.y);
-                             const Lanes inverse = Lanes(1.0) / rho;
-                             c.normal = {-inverse * r.x, -inverse * r.y, Lanes(0.0)};
-                             c.overlap = physics_.cylinder.overlap(rho, radius);
-                           });
-    touching_walls_ = low.touching + around.touching;
-    note(low);
-    note(around);
+    const auto low = touch_wall<Memory>(
+        physics_.grain_wall, rows(), block.walls.base.list, block.padding, base.velocity, dt,
+        [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
+          c.normal = {Lanes(0.0), Lanes(0.0), Lanes(1.0)};
+          c.overlap = Lanes(base.height) + radius - r.z;
+        });
+    const auto around = touch_wall<Memory>(
+        physics_.grain_wall, rows(), block.walls.side.list, block.padding, base.velocity, dt,
+        [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
+          const Lanes rho = std::experimental::sqrt(r.x * r.x + r.y * r.y);
+          const Lanes inverse = Lanes(1.0) / rho;
+          c.normal = {-inverse * r.x, -inverse * r.y, Lanes(0.0)};
+          c.overlap = physics_.cylinder.overlap(rho, radius);
+        });
+    block.touching_walls = low.touching + around.touching;
+    block.counters.wall_steps += block.touching_walls;
+    note(block, low);
+    note(block, around);
   }
 
-  void note(const PassResult& pass) {
-    counters_.largest_overlap =
-        std::max(counters_.largest_overlap, std::experimental::hmax(pass.largest_overlap));
+  static void note(Block& block, const PassResult& pass) {
+    auto& largest = block.counters.largest_overlap;
+    largest = std::max(largest, std::experimental::hmax(pass.largest_overlap));
   }
 
   Physics physics_;
   ColumnLists<Physics> lists_;
   SizedGrains state_;
   long step_;
-  long touching_walls_ = 0;
-  ContactCounters counters_;
-  std::vector<std::uint32_t> broke_promise_;
-  std::vector<std::uint32_t> changed_;
 };
 
 }  // namespace shakebed::simulator

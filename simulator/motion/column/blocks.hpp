@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "simulator/motion/column/block.hpp"
+#include "simulator/motion/column/outer_list.hpp"
+#include "simulator/motion/column/remembered.hpp"
+#include "simulator/motion/column/work_division.hpp"
+
+namespace shakebed::simulator {
+
+/// A bed's rows in blocks, each with the contacts that it reckons with. Pairs of rows in blocks
+/// apart, and those of large grains, are in one more block without rows, `far`, that is worked on
+/// when the others are done.
+template <class Physics>
+class ColumnBlocks {
+ public:
+  using Block = ColumnBlock<Physics>;
+
+  RowStore rows;
+  BlockCuts cuts;
+  WorkDivision division;
+
+  ColumnBlocks(const SizedGrains& start, Crew* crew)
+      : rows(start, BlockCuts(start.count()).count() + 1),
+        cuts(rows.count()),
+        division(crew, cuts.count()),
+        blocks_(cuts.count() + 1) {
+    for (std::size_t p = 0; p < cuts.count(); ++p) {
+      Block& block = blocks_[p];
+      block.padding = rows.padding(p);
+      block.begin = cuts.begin(p);
+      block.end = cuts.end(p);
+      block.walls.take_rows(block.begin, block.end);
+    }
+    far().padding = rows.padding(cuts.count());
+    far().end = std::numeric_limits<std::uint32_t>::max();
+    rows.reorder(rows.by_height());
+  }
+
+  /// All blocks and, last, `far`.
+  const std::vector<Block>& all() const { return blocks_; }
+  std::vector<Block>& all() { return blocks_; }
+  Block& far() { return blocks_.back(); }
+  Block& of_row(std::uint32_t i) { return blocks_[cuts.block_of(i)]; }
+  /// The block of a part of the outer list.
+  Block& of_part(std::size_t part) { return blocks_[part]; }
+
+  /// work(block, its number) for all but `far`, by the crew.
+  template <class Work>
+  void share(const Work& work) {
+    division.share([&](std::size_t p) { work(blocks_[p], p); });
+  }
+
+  void divide_work() {
+    division.divide(cuts.count(), [&](std::size_t p) {  // in the time that one contact takes
+      const Block& block = blocks_[p];
+      return block.touching.size() + 2 * block.active.size() + block.candidates.size() / 2;
+    });
+  }
+
+  /// Adds what the block below has put aside for rows of block p.
+  void take_up_spill(std::size_t p) {
+    if (p == 0) return;
+    for (std::uint32_t i = blocks_[p].begin; i < blocks_[p - 1].spill_end; ++i) {
+      PullRow& pull = rows.pull[i];
+      PullRow& spill = rows.spill[i];
+      pull.force += spill.force;
+      spill.force = Four{};
+      if constexpr (Physics::turns_grains) {
+        pull.moment += spill.moment;
+        spill.moment = Four{};
+      }
+    }
+  }
+
+  /// Takes up the contacts of a bed as it stands, with what they remember.
+  void meet_all(const OuterList& outer, const std::vector<ContactMemory>& remembered) {
+    const RememberedContacts memory(rows, remembered);
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+      if (!outer.overlaps(rows, k)) continue;
+      const auto i = outer.i()[k];
+      const auto j = outer.j()[k];
+      of_part(outer.part_of(k))
+          .begin_to_touch(i, j, outer.contact_size()[k], rows.effective_mass(i, j),
+                          memory.of(i, j));
+    }
+    memory.for_walls([&](std::uint32_t i, std::int32_t partner, const Triple<double>& u) {
+      of_row(i).walls.recall(rows, i, partner, u);
+    });
+  }
+
+  /// Puts rows in order of height again; contacts go with them.
+  void put_in_order() {
+    const auto order = rows.by_height();
+    rows.reorder(order);
+    std::vector<std::uint32_t> new_row(order.size());
+    for (std::uint32_t k = 0; k < order.size(); ++k) new_row[order[k]] = k;
+    regroup_contacts(rows, blocks_, new_row,
+                     [&](std::uint32_t i, std::uint32_t j) -> Block& { return home_of(i, j); });
+    regroup_wall_contacts(rows, blocks_, new_row, cuts);
+  }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(rows.seen);
+    a(rows.own);
+    a(rows.pull);
+    a(rows.radius);
+    a(rows.mass);
+    a(rows.grain);
+    for (Block& block : blocks_) block.archive(a);
+  }
+
+ private:
+  Block& home_of(std::uint32_t i, std::uint32_t j) {
+    const bool large = OuterList::is_large(rows.radius[i]) || OuterList::is_large(rows.radius[j]);
+    return large ? far() : blocks_[cuts.home_of(i, j)];
+  }
+
+  std::vector<Block> blocks_;
+};
+
+}  // namespace shakebed::simulator
