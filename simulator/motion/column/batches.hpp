@@ -79,21 +79,10 @@ template <class Law, class List>
   c.normal = (Lanes(1.0) / distance) * r;
 }
 
-/// Where pulls on rows go: those from `end` on belong to another block, which takes them up later.
-struct PullTarget {
-  PullRow* pull;
-  PullRow* spill;
-  std::uint32_t end;
-
-  PullTarget(RowStore& rows, std::uint32_t own_end)
-      : pull(rows.pull.data()), spill(rows.spill.data()), end(own_end) {}
-  [[gnu::always_inline]] PullRow& of(std::uint32_t i) const { return (i < end ? pull : spill)[i]; }
-};
-
 /// Adds the forces on the vector of pairs that begins at `k`, and their reactions.
 template <class Law, class List>
-[[gnu::always_inline]] inline void scatter_pairs(const PullTarget& target, const List& list,
-                                                 std::size_t k, const LaneTriple& on_i,
+[[gnu::always_inline]] inline void scatter_pairs(PullRow* pull, const List& list, std::size_t k,
+                                                 const LaneTriple& on_i,
                                                  const LaneTriple& turning) {
   const std::uint32_t* i = list.i() + k;
   const std::uint32_t* j = list.j() + k;
@@ -101,8 +90,8 @@ template <class Law, class List>
   transpose_lanes(on_i, force);
   if constexpr (Law::turns_grains) transpose_lanes(turning, moment);
   for (std::size_t q = 0; q < lane_count; ++q) {
-    PullRow& a = target.of(i[q]);
-    PullRow& b = target.of(j[q]);
+    PullRow& a = pull[i[q]];
+    PullRow& b = pull[j[q]];
     a.force += force[q];
     b.force -= force[q];
     if constexpr (Law::turns_grains) {
@@ -112,17 +101,16 @@ template <class Law, class List>
   }
 }
 
-/// Adds the contacts of the pairs in `list`, which `padding` and the row behind it fill up; those
-/// that have ended go to `ended`, in rising order.
+/// Adds the contacts of the pairs in `list` to `pull`; those that have ended go to `ended`, in
+/// rising order.
 /// Some vectors are gathered, then evaluated, then added: what one vector waits for is hidden
 /// behind the others only as far as the processor looks ahead, which is one vector if all is done
 /// at once.
 template <class LaneMemory, class Law, class List>
-PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, std::uint32_t padding,
-                       const PullTarget& target, double dt, std::vector<std::uint32_t>& ended) {
+PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, PullRow* pull, double dt,
+                       std::vector<std::uint32_t>& ended) {
   constexpr std::size_t together = 4;
   PassResult result;
-  list.pad(padding, padding + 1);
   const std::size_t n = list.size();
   const SeenRow* seen = rows.seen.data();
   ContactState<Lanes> contacts[together];
@@ -148,7 +136,7 @@ PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, std::ui
       }
     }
     for (std::size_t b = 0; b < vectors; ++b) {
-      scatter_pairs<Law>(target, list, first + b * lane_count, force[b], moment[b]);
+      scatter_pairs<Law>(pull, list, first + b * lane_count, force[b], moment[b]);
     }
   }
   return result;
@@ -156,9 +144,7 @@ PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, std::ui
 
 /// The pairs of `list` that have come to touch go to `begun`, in rising order.
 template <class List>
-void find_begun(const RowStore& rows, List& list, std::uint32_t padding,
-                std::vector<std::uint32_t>& begun) {
-  list.pad(padding, padding + 1);
+void find_begun(const RowStore& rows, const List& list, std::vector<std::uint32_t>& begun) {
   const std::size_t n = list.size();
   const SeenRow* seen = rows.seen.data();
   for (std::size_t k = 0; k < n; k += lane_count) {
@@ -177,13 +163,12 @@ void find_begun(const RowStore& rows, List& list, std::uint32_t padding,
   }
 }
 
-/// Adds the contacts of rows with one wall; row `padding` fills up the list. `meet` makes normal
+/// Adds the contacts of rows with one wall to `pull`. `meet` makes normal
 /// and overlap of the vector's grains.
 template <class LaneMemory, class Law, class List, class Meet>
-PassResult touch_wall(const Law& law, RowStore& rows, List& list, std::uint32_t padding,
+PassResult touch_wall(const Law& law, const RowStore& rows, List& list, PullRow* pull,
                       double wall_velocity, double dt, Meet meet) {
   PassResult result;
-  list.pad(padding);
   const SeenRow* seen = rows.seen.data();
   for (std::size_t k = 0; k < list.size; k += lane_count) {
     const std::uint32_t* i = list.row.data() + k;
@@ -214,8 +199,8 @@ PassResult touch_wall(const Law& law, RowStore& rows, List& list, std::uint32_t 
     transpose_lanes(chosen(touching, f.force), force);
     if constexpr (Law::turns_grains) transpose_lanes(chosen(touching, f.moment), moment);
     for (std::size_t q = 0; q < lane_count; ++q) {
-      rows.pull[i[q]].force += force[q];
-      if constexpr (Law::turns_grains) rows.pull[i[q]].moment += moment[q];
+      pull[i[q]].force += force[q];
+      if constexpr (Law::turns_grains) pull[i[q]].moment += moment[q];
     }
   }
   return result;

@@ -12,8 +12,8 @@ namespace shakebed::simulator {
 
 /// The part of a bed that one thread at a time works on: rows [begin, end), the pairs whose lower
 /// row is among them, and the walls that they may touch. Upper rows of some pairs belong to the
-/// next block: what pulls them is put aside in RowStore::spill, which that block takes up later.
-/// What blocks write while others work is theirs alone.
+/// next block: what pulls them stands in the other array of RowStore::pull, which that block takes
+/// up later. What blocks write while others work is theirs alone.
 template <class Physics>
 struct ColumnBlock {
   static constexpr bool pairs_remember =
@@ -21,7 +21,7 @@ struct ColumnBlock {
 
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  std::uint32_t padding = 0;    ///< this row and the next fill up vectors and touch nothing
+  std::size_t pull = 0;         ///< which array of RowStore::pull it adds to
   std::uint32_t spill_end = 0;  ///< above it no row of the next block is pulled from here
 
   PairList<pairs_remember> touching;
@@ -38,6 +38,15 @@ struct ColumnBlock {
   double sum_drift = 0;
   double farthest = 0;
   std::vector<std::uint32_t> changed;
+
+  /// Row `padding` and the next one touch nothing.
+  void take_rows(std::uint32_t first, std::uint32_t past_last, std::uint32_t padding) {
+    begin = first;
+    end = past_last;
+    touching.fill_up_with(padding);
+    candidates.fill_up_with(padding);
+    walls.take_rows(begin, end, padding);
+  }
 
   /// Rows of the next block that this one pulls lie below `spill_end`.
   void begin_to_touch(std::uint32_t i, std::uint32_t j, double contact_size, double effective_mass,

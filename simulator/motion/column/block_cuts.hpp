@@ -29,7 +29,7 @@ class BlockCuts {
   }
 
  private:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 8;          // each costs a percent, whatever works on it
   static constexpr std::size_t least_rows = 400;  // some layers, so that few pairs cross a cut
 
   std::size_t rows_;

@@ -29,13 +29,10 @@ class ColumnBlocks {
         division(crew, cuts.count()),
         blocks_(cuts.count() + 1) {
     for (std::size_t p = 0; p < cuts.count(); ++p) {
-      Block& block = blocks_[p];
-      block.padding = rows.padding(p);
-      block.begin = cuts.begin(p);
-      block.end = cuts.end(p);
-      block.walls.take_rows(block.begin, block.end);
+      blocks_[p].take_rows(cuts.begin(p), cuts.end(p), rows.padding(p));
+      blocks_[p].pull = p % 2;
     }
-    far().padding = rows.padding(cuts.count());
+    far().take_rows(0, 0, rows.padding(cuts.count()));
     far().end = std::numeric_limits<std::uint32_t>::max();
     rows.reorder(rows.by_height());
   }
@@ -51,7 +48,18 @@ class ColumnBlocks {
   /// work(block, its number) for all but `far`, by the crew.
   template <class Work>
   void share(const Work& work) {
-    division.share([&](std::size_t p) { work(blocks_[p], p); });
+    division.share([&](std::size_t p, bool) { work(blocks_[p], p); });
+  }
+
+  /// work(block, its number, whether the block below is done); where it is not, `later` is called
+  /// when it is.
+  template <class Work, class Later>
+  void share_upwards(const Work& work, const Later& later) {
+    division.share([&](std::size_t p, bool first) { work(blocks_[p], p, !first); });
+    if (division.threads() == 1) return;
+    division.share([&](std::size_t p, bool first) {
+      if (first) later(blocks_[p], p);
+    });
   }
 
   void divide_work() {
@@ -65,16 +73,22 @@ class ColumnBlocks {
   void take_up_spill(std::size_t p) {
     if (p == 0) return;
     for (std::uint32_t i = blocks_[p].begin; i < blocks_[p - 1].spill_end; ++i) {
-      PullRow& pull = rows.pull[i];
-      PullRow& spill = rows.spill[i];
-      pull.force += spill.force;
-      spill.force = Four{};
-      if constexpr (Physics::turns_grains) {
-        pull.moment += spill.moment;
-        spill.moment = Four{};
+      move_pull(rows.pull[1 - p % 2][i], rows.pull[p % 2][i]);
+    }
+  }
+
+  /// What contacts of `far` have added to the first array goes to those of their rows' own blocks.
+  /// Before other contacts are added.
+  void take_up_far() {
+    const auto& list = far().touching;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      for (const auto i : {list.i()[k], list.j()[k]}) {
+        if (cuts.block_of(i) % 2 == 1) move_pull(rows.pull[0][i], rows.pull[1][i]);
       }
     }
   }
+
+  const PullRow& pull_of(std::uint32_t i) const { return rows.pull[cuts.block_of(i) % 2][i]; }
 
   /// Takes up the contacts of a bed as it stands, with what they remember.
   void meet_all(const OuterList& outer, const std::vector<ContactMemory>& remembered) {
@@ -95,7 +109,9 @@ class ColumnBlocks {
   /// Puts rows in order of height again; contacts go with them.
   void put_in_order() {
     const auto order = rows.by_height();
+    move_odd_pulls(1, 0);
     rows.reorder(order);
+    move_odd_pulls(0, 1);
     std::vector<std::uint32_t> new_row(order.size());
     for (std::uint32_t k = 0; k < order.size(); ++k) new_row[order[k]] = k;
     regroup_contacts(rows, blocks_, new_row,
@@ -107,7 +123,7 @@ class ColumnBlocks {
   void archive(Archive& a) {
     a(rows.seen);
     a(rows.own);
-    a(rows.pull);
+    for (auto& one : rows.pull) a(one);
     a(rows.radius);
     a(rows.mass);
     a(rows.grain);
@@ -115,6 +131,24 @@ class ColumnBlocks {
   }
 
  private:
+  static void move_pull(PullRow& from, PullRow& to) {
+    to.force += from.force;
+    from.force = Four{};
+    if constexpr (Physics::turns_grains) {
+      to.moment += from.moment;
+      from.moment = Four{};
+    }
+  }
+
+  /// Pulls on rows of odd blocks to another array.
+  void move_odd_pulls(std::size_t from, std::size_t to) {
+    for (std::size_t p = 1; p < cuts.count(); p += 2) {
+      for (std::uint32_t i = cuts.begin(p); i < cuts.end(p); ++i) {
+        move_pull(rows.pull[from][i], rows.pull[to][i]);
+      }
+    }
+  }
+
   Block& home_of(std::uint32_t i, std::uint32_t j) {
     const bool large = OuterList::is_large(rows.radius[i]) || OuterList::is_large(rows.radius[j]);
     return large ? far() : blocks_[cuts.home_of(i, j)];

@@ -38,7 +38,10 @@ class NearWalls {
   NearWall base;
   NearWall side;
 
-  void take_rows(std::uint32_t begin, std::uint32_t end) {
+  /// Row `padding` lies far from every wall.
+  void take_rows(std::uint32_t begin, std::uint32_t end, std::uint32_t padding) {
+    base.list.fill_up_with(padding);
+    side.list.fill_up_with(padding);
     begin_ = begin;
     end_ = end;
     base.stamp.assign(end - begin, -1);

@@ -10,7 +10,7 @@
 namespace shakebed::simulator {
 
 /// Pairs of rows in arrays that SIMD loads can read: what a contact needs beside the rows, and its
-/// memory when it has one. Kept longer than its size by a vector of harmless pairs.
+/// memory when it has one. A vector of harmless pairs stands behind the last.
 template <bool HasMemory>
 class PairList {
  public:
@@ -31,25 +31,31 @@ class PairList {
     }
   }
 
-  void clear() { resize(0); }
+  /// Row `a` and the next one fill up vectors: they touch nothing.
+  void fill_up_with(std::uint32_t a) {
+    padding_ = a;
+    clear();
+  }
+
+  void clear() {
+    size_ = 0;
+    make_room();
+    for (std::size_t k = 0; k < lane_count; ++k) set_padding(k);
+  }
 
   void push(std::uint32_t a, std::uint32_t b, double contact_size, double effective_mass,
             const Triple<double>& u = {0, 0, 0}) {
-    resize(size_ + 1);
+    ++size_;
+    make_room();
     set(size_ - 1, a, b, contact_size, effective_mass, u);
+    set_padding(size_ + lane_count - 1);
   }
 
   /// The last pair takes the place of pair k.
   void remove(std::size_t k) {
-    const std::size_t last = size_ - 1;
+    const std::size_t last = --size_;
     set(k, i_[last], j_[last], contact_size_[last], effective_mass_[last], memory_at(last));
-    resize(last);
-  }
-
-  /// Fills the vector that begins before the end and goes past it with the pair (a, b).
-  void pad(std::uint32_t a, std::uint32_t b) {
-    resize(size_);
-    for (std::size_t k = size_; k < size_ + lane_count; ++k) set(k, a, b, 1, 0.5, {0, 0, 0});
+    set_padding(last);
   }
 
   /// Numbers of the pairs in rising order of i, then j, for rows below `rows`.
@@ -68,9 +74,10 @@ class PairList {
   }
 
  private:
-  void resize(std::size_t n) {
-    size_ = n;
-    const std::size_t needed = n + lane_count;
+  void set_padding(std::size_t k) { set(k, padding_, padding_ + 1, 1, 0.5, {0, 0, 0}); }
+
+  void make_room() {
+    const std::size_t needed = size_ + lane_count;
     if (i_.size() >= needed) return;
     const std::size_t room = needed + needed / 2;
     i_.resize(room);
@@ -108,6 +115,7 @@ class PairList {
     }
   }
 
+  std::uint32_t padding_ = 0;
   std::size_t size_ = 0;
   std::vector<std::uint32_t> i_;
   std::vector<std::uint32_t> j_;

@@ -59,9 +59,12 @@ class Promises {
   /// The common field was added to all velocities for one more step.
   void note_fall(const Four& change) { fallen_ += change; }
 
+  const Four& fallen() const { return fallen_; }
+
+  /// Whether row i has another velocity than promised, `velocity` being less what has fallen.
   bool broken(std::uint32_t i, const Four& velocity) const {
     const Four promised = __builtin_convertvector(of_[i], Four);
-    const Four off = velocity - fallen_ - promised;
+    const Four off = velocity - promised;
     const Four square = off * off;
     return square[0] + square[1] + square[2] > promised[3] * promised[3];
   }

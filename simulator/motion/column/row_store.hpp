@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -16,8 +17,9 @@ namespace shakebed::simulator {
 struct RowStore {
   std::vector<SeenRow> seen;
   std::vector<OwnRow> own;
-  std::vector<PullRow> pull;
-  std::vector<PullRow> spill;  ///< what the block below adds to `pull`, put aside
+  /// Blocks of rows write to one of these in turns, those of their own rows and those of rows of
+  /// the next block, whose own are in the other.
+  std::array<std::vector<PullRow>, 2> pull;
   std::vector<double> radius;
   std::vector<double> mass;
   std::vector<std::uint32_t> grain;  ///< which grain a row holds
@@ -38,8 +40,7 @@ struct RowStore {
     const std::size_t room = n + 2 * padded_lists;
     seen.assign(room, SeenRow{});
     own.assign(room, OwnRow{});
-    pull.assign(room, PullRow{});
-    spill.assign(room, PullRow{});
+    for (auto& one : pull) one.assign(room, PullRow{});
     radius = start.radius;
     mass = start.mass;
     grain.resize(n);
@@ -70,10 +71,11 @@ struct RowStore {
     return order;
   }
 
+  /// Of the pulls, the first array.
   void reorder(const std::vector<std::uint32_t>& order) {
     take(seen, order);
     take(own, order);
-    take(pull, order);
+    take(pull[0], order);
     take(radius, order);
     take(mass, order);
     take(grain, order);

@@ -17,8 +17,8 @@ namespace shakebed::simulator {
 /// each in SIMD vectors, with the contacts' memory in the list. Grains that can touch nothing
 /// within the window are left where they are and carried along their parabola when it is over.
 ///
-/// A step is three tasks for the crew, block by block: move rows; look around where promises were
-/// broken; add contacts. What the threads write in each is their block's.
+/// The crew's tasks are done block by block: contacts of a step, move to the next one, look around
+/// where promises were broken. What is written meanwhile is the block's own.
 template <class Physics>
 class ColumnStepper {
  public:
@@ -39,13 +39,24 @@ class ColumnStepper {
     const double h = 0.5 * physics_.time_step;
     for (std::uint32_t i = 0; i < rows().count(); ++i) {
       auto& own = rows().own[i];
-      own.half_velocity -= h * acceleration(i, field_row(step_));
-      own.half_rim -= h * rim_acceleration(i);
+      const PullRow& pull = lists_.blocks.pull_of(i);
+      own.half_velocity -= h * acceleration(own, pull, field_row(step_));
+      own.half_rim -= h * rim_acceleration(own, pull);
     }
   }
 
   void advance(long steps) {
-    for (long s = 0; s < steps; ++s) step();
+    if (steps <= 0) return;
+    move_all();
+    for (long s = 1; s < steps; ++s) {
+      if (lists_.window_over(step_)) {
+        touch_all(physics_.time_step);
+        move_all();
+      } else {
+        touch_and_move();
+      }
+    }
+    touch_all(physics_.time_step);
     take_up_spill();
   }
 
@@ -80,8 +91,9 @@ class ColumnStepper {
       SeenRow seen;
       OwnRow own;
       lists_.look(k, step_, seen, own);
-      const Four v = own.half_velocity + h * acceleration(k, field);
-      const Four s = own.half_rim + h * rim_acceleration(k);
+      const PullRow& pull = lists_.blocks.pull_of(k);
+      const Four v = own.half_velocity + h * acceleration(own, pull, field);
+      const Four s = own.half_rim + h * rim_acceleration(own, pull);
       const std::size_t i = rows().grain[k];
       const double inverse = 1 / rows().radius[k];
       for (int c = 0; c < 3; ++c) {
@@ -179,14 +191,14 @@ class ColumnStepper {
 
   Four field_row(long step) const { return Four{0, 0, physics_.field_at(step), 0}; }
 
-  Four acceleration(std::uint32_t i, const Four& field) const {
-    Four a = rows().own[i].half_velocity[3] * rows().pull[i].force + field;
+  static Four acceleration(const OwnRow& own, const PullRow& pull, const Four& field) {
+    Four a = own.half_velocity[3] * pull.force + field;
     a[3] = 0;
     return a;
   }
   /// a d(omega)/dt = -(a^2/I) sum of n x F_t.
-  Four rim_acceleration(std::uint32_t i) const {
-    Four b = -rows().own[i].half_rim[3] * rows().pull[i].moment;
+  static Four rim_acceleration(const OwnRow& own, const PullRow& pull) {
+    Four b = -own.half_rim[3] * pull.moment;
     b[3] = 0;
     return b;
   }
@@ -195,32 +207,61 @@ class ColumnStepper {
     lists_.blocks.share([&](Block&, std::size_t p) { lists_.blocks.take_up_spill(p); });
   }
 
-  void step() {
+  void move_all() {
     if (lists_.window_over(step_)) lists_.open_next_window(step_);
+    const Four field = note_fall();
+    lists_.blocks.share([&](Block& block, std::size_t p) { move(block, p, field); });
+    look_around();
+  }
+
+  /// The contacts of this step and the move to the next one in one go through the bed: a block is
+  /// moved when it and the one below have their contacts, while its rows are in the cache.
+  void touch_and_move() {
+    const Four field = note_fall();
+    const BaseState base = physics_.base_at(step_);
+    touch_far(physics_.time_step);
+    lists_.blocks.share_upwards(
+        [&](Block& block, std::size_t p, bool below_is_done) {
+          touch(block, base, physics_.time_step);
+          if (below_is_done) move(block, p, field);
+        },
+        [&](Block& block, std::size_t p) { move(block, p, field); });
+    look_around();
+  }
+
+  Four note_fall() {
     const Four field = field_row(step_);
     lists_.promises().note_fall(physics_.time_step * field);
-    lists_.blocks.share([&](Block& block, std::size_t p) {
-      lists_.blocks.take_up_spill(p);
-      move_active(block, field);
-    });
+    return field;
+  }
+
+  /// The bed is at the next step now; those that broke their promises find whom they can reach.
+  void look_around() {
     ++step_;
-    if (lists_.any_broken()) {
-      lists_.blocks.share([&](Block& block, std::size_t) { lists_.look_around(block, step_); });
-      lists_.enter_found(step_);
-    }
-    touch_all(physics_.time_step);
+    if (!lists_.any_broken()) return;
+    lists_.blocks.share([&](Block& block, std::size_t) { lists_.look_around(block, step_); });
+    lists_.enter_found(step_);
+  }
+
+  void move(Block& block, std::size_t p, const Four& field) {
+    lists_.blocks.take_up_spill(p);
+    move_active(block, field);
   }
 
   void move_active(Block& block, const Four& field) {
     const double dt = physics_.time_step;
     const double ahead = physics_.prediction();
     auto& promises = lists_.promises();
+    const Four fallen = promises.fallen();
+    SeenRow* all_seen = rows().seen.data();
+    OwnRow* all_own = rows().own.data();
+    PullRow* all_pull = rows().pull[block.pull].data();
     block.broke_promise.clear();
     for (const auto i : block.active) {
-      SeenRow& seen = rows().seen[i];
-      OwnRow& own = rows().own[i];
-      PullRow& pull = rows().pull[i];
-      const Four a = acceleration(i, field);
+      SeenRow& seen = all_seen[i];
+      OwnRow& own = all_own[i];
+      PullRow& pull = all_pull[i];
+      const Four a = acceleration(own, pull, field);
       own.half_velocity += dt * a;
       Four v = own.half_velocity;
       v[3] = 0;
@@ -228,37 +269,44 @@ class ColumnStepper {
       seen.velocity = v + ahead * a;
       pull.force = Four{};
       if constexpr (Physics::turns_grains) {
-        const Four b = rim_acceleration(i);
+        const Four b = rim_acceleration(own, pull);
         own.half_rim += dt * b;
         Four s = own.half_rim;
         s[3] = 0;
         seen.rim_velocity = s + ahead * b;
         pull.moment = Four{};
       }
-      if (promises.broken(i, v)) [[unlikely]] {
+      if (promises.broken(i, v - fallen)) [[unlikely]] {
         promises.renew(rows(), i);
         block.broke_promise.push_back(i);
       }
     }
   }
 
-  /// All contacts of the present step. Those of `far` pull rows of any block.
+  /// All contacts of the present step. Those of `far` pull rows of any block, and come first.
   void touch_all(double dt) {
-    const double container = physics_.lab_base_at(step_).velocity;
     const BaseState base = physics_.base_at(step_);
-    lists_.blocks.share([&](Block& block, std::size_t) {
-      if (physics_.drag.any()) add_drag(block, container);
-      touch_pairs_of(block, dt);
-      touch_walls_of(block, base, dt);
-    });
-    touch_pairs_of(lists_.blocks.far(), dt);
+    touch_far(dt);
+    lists_.blocks.share([&](Block& block, std::size_t) { touch(block, base, dt); });
   }
 
-  void add_drag(const Block& block, double container) {
+  void touch_far(double dt) {
+    touch_pairs_of(lists_.blocks.far(), dt);
+    lists_.blocks.take_up_far();
+  }
+
+  void touch(Block& block, const BaseState& base, double dt) {
+    if (physics_.drag.any()) add_drag(block);
+    touch_pairs_of(block, dt);
+    touch_walls_of(block, base, dt);
+  }
+
+  void add_drag(const Block& block) {
+    const double container = physics_.lab_base_at(step_).velocity;
     for (const auto i : block.active) {
       const auto& v = rows().seen[i].velocity;
       const auto f = physics_.drag_force({v[0], v[1], v[2]}, container);
-      rows().pull[i].force += Four{f.x, f.y, f.z, 0};
+      rows().pull[block.pull][i].force += Four{f.x, f.y, f.z, 0};
     }
   }
 
@@ -267,7 +315,7 @@ class ColumnStepper {
     auto& candidates = block.candidates;
     auto& changed = block.changed;
     changed.clear();
-    find_begun(rows(), candidates, block.padding, changed);
+    find_begun(rows(), candidates, changed);
     for (auto k = changed.rbegin(); k != changed.rend(); ++k) {
       block.begin_to_touch(candidates.i()[*k], candidates.j()[*k], candidates.contact_size()[*k],
                            candidates.effective_mass()[*k]);
@@ -275,8 +323,8 @@ class ColumnStepper {
     }
     changed.clear();
     using Memory = typename Physics::template PairMemory<Lanes>;
-    const auto pass = touch_pairs<Memory>(physics_.grain_grain, rows(), touching, block.padding,
-                                          PullTarget(rows(), block.end), dt, changed);
+    const auto pass = touch_pairs<Memory>(physics_.grain_grain, rows(), touching,
+                                          rows().pull[block.pull].data(), dt, changed);
     for (auto k = changed.rbegin(); k != changed.rend(); ++k) {
       candidates.push(touching.i()[*k], touching.j()[*k], touching.contact_size()[*k],
                       touching.effective_mass()[*k]);
@@ -288,14 +336,15 @@ class ColumnStepper {
 
   void touch_walls_of(Block& block, const BaseState& base, double dt) {
     using Memory = typename Physics::template WallMemory<Lanes>;
+    PullRow* pull = rows().pull[block.pull].data();
     const auto low = touch_wall<Memory>(
-        physics_.grain_wall, rows(), block.walls.base.list, block.padding, base.velocity, dt,
+        physics_.grain_wall, rows(), block.walls.base.list, pull, base.velocity, dt,
         [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
           c.normal = {Lanes(0.0), Lanes(0.0), Lanes(1.0)};
           c.overlap = Lanes(base.height) + radius - r.z;
         });
     const auto around = touch_wall<Memory>(
-        physics_.grain_wall, rows(), block.walls.side.list, block.padding, base.velocity, dt,
+        physics_.grain_wall, rows(), block.walls.side.list, pull, base.velocity, dt,
         [&](const LaneTriple& r, const Lanes& radius, ContactState<Lanes>& c) {
           const Lanes rho = std::experimental::sqrt(r.x * r.x + r.y * r.y);
           const Lanes inverse = Lanes(1.0) / rho;

@@ -20,25 +20,23 @@ struct WallList {
   std::vector<double> mass;
   std::array<std::vector<double>, memory_columns> memory;
 
-  void clear() { size = 0; }
+  /// Row `i` fills up vectors: it lies far from every wall.
+  void fill_up_with(std::uint32_t i) {
+    padding_ = i;
+    clear();
+  }
+
+  void clear() {
+    size = 0;
+    make_room();
+    for (std::size_t k = 0; k < lane_count; ++k) set_padding(k);
+  }
 
   void push(std::uint32_t i, double a, double m, const Triple<double>& u) {
     ++size;
-    const std::size_t needed = size + lane_count;
-    if (row.size() < needed) {
-      row.resize(2 * needed);
-      radius.resize(2 * needed);
-      mass.resize(2 * needed);
-      for (auto& column : memory) column.resize(2 * needed);
-    }
+    make_room();
     set(size - 1, i, a, m, u);
-  }
-
-  /// Fills the last vector with a row that lies far from every wall.
-  void pad(std::uint32_t nowhere) {
-    for (std::size_t k = size; k < size + lane_count && k < row.size(); ++k) {
-      set(k, nowhere, 0, 1, {0, 0, 0});
-    }
+    set_padding(size + lane_count - 1);
   }
 
   Triple<double> memory_at(std::size_t k) const {
@@ -59,6 +57,17 @@ struct WallList {
   }
 
  private:
+  void set_padding(std::size_t k) { set(k, padding_, 0, 1, {0, 0, 0}); }
+
+  void make_room() {
+    const std::size_t needed = size + lane_count;
+    if (row.size() >= needed) return;
+    row.resize(2 * needed);
+    radius.resize(2 * needed);
+    mass.resize(2 * needed);
+    for (auto& column : memory) column.resize(2 * needed);
+  }
+
   void set(std::size_t k, std::uint32_t i, double a, double m, const Triple<double>& u) {
     row[k] = i;
     radius[k] = a;
@@ -69,6 +78,8 @@ struct WallList {
       memory[2][k] = u.z;
     }
   }
+
+  std::uint32_t padding_ = 0;
 };
 
 }  // namespace shakebed::simulator

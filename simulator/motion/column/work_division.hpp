@@ -14,12 +14,15 @@ class WorkDivision {
   WorkDivision(Crew* crew, std::size_t blocks) : crew_(crew), begin_{0, blocks} {}
 
   Crew* crew() const { return crew_; }
+  std::size_t threads() const { return begin_.size() - 1; }
 
-  /// work(block) for all blocks.
+  /// work(block, whether another thread does the block below) for all blocks.
   template <class Work>
   void share(const Work& work) const {
     simulator::share(crew_, begin_.size() - 1, [&](std::size_t thread) {
-      for (auto block = begin_[thread]; block < begin_[thread + 1]; ++block) work(block);
+      for (auto block = begin_[thread]; block < begin_[thread + 1]; ++block) {
+        work(block, block == begin_[thread] && thread > 0);
+      }
     });
   }
 
