@@ -1,13 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "simulator/motion/dense_promises.hpp"
 #include "simulator/motion/grid_row.hpp"
-#include "simulator/motion/may_meet.hpp"
 #include "simulator/motion/neighbours.hpp"
 #include "simulator/motion/pairs_of_rows.hpp"
 
@@ -24,7 +23,6 @@ class DenseLists {
  public:
   static constexpr int D = Physics::dimension;
   using Row = GridRow<Physics>;
-  using PlaceLanes = typename Row::PlaceLanes;
   using PairOfGrains = std::pair<std::uint32_t, std::uint32_t>;
 
   /// A listed pair, with its own copy of what the outer list knows.
@@ -47,10 +45,10 @@ class DenseLists {
         near_walls(wall_count(physics)),
         physics_(physics),
         search_(physics.cell),
+        promises_(rows.size(), 0.05 * physics.base.peak_velocity),
         window_steps_(window_steps) {
     const std::size_t n = rows.size();
     resize(position_, n);
-    promises_.resize(n);
     wall_stamp_.assign(near_walls.size() * n, -1);
     rebuild_outer();
     mark_touching(std::move(in_touch));
@@ -80,23 +78,15 @@ class DenseLists {
   }
 
   /// Gravity was added to all velocities for one more step.
-  void note_fall() { fallen_ -= physics_.time_step * physics_.gravity; }
+  void note_fall() { promises_.note_fall(-physics_.time_step * physics_.gravity); }
 
-  bool breaks_promise(std::uint32_t i) const {
-    const Promise& promise = promises_[i];
-    PlaceLanes off = Row::place(rows[i].half.data()) - Row::place(promise.velocity.data());
-    off[vertical] -= fallen_;
-    off *= off;
-    double square = 0;
-    for (int c = 0; c < D; ++c) square += off[c];
-    return square > promise.width * promise.width;
-  }
+  bool breaks_promise(std::uint32_t i) const { return promises_.broken(rows[i], i); }
 
   /// Row i broke its promise on the way to `step`: makes a wider one and lists what it can reach.
   /// The window ends when the outer list does not reach that far.
   void look_again(std::uint32_t i, long step) {
     const double left = static_cast<double>(window_end_ - step + 1) * physics_.time_step;
-    promise(i, 2 * promises_[i].width + least_width());
+    promises_.renew(rows[i], i);
     if (moved_since_build(i) + may_move(i, left) > 0.5 * skin_) window_end_ = step;
     of_rows_.for_pairs_of(i, [&](std::uint32_t k) {
       if (pair_stamp_[k] == window_) return;
@@ -139,11 +129,6 @@ class DenseLists {
 
  private:
   static constexpr int vertical = Dimension<D>::vertical;
-  struct Promise {
-    /// But for what gravity adds since the window's beginning; what lies behind is padding.
-    alignas(Row::room * sizeof(double)) std::array<double, Row::room> velocity;
-    double width;
-  };
 
   static void move_pair(std::vector<ListedPair>& from, std::size_t n, std::vector<ListedPair>& to) {
     to.push_back(from[n]);
@@ -154,30 +139,13 @@ class DenseLists {
   double whole_window() const {
     return static_cast<double>(window_steps_ + 1) * physics_.time_step;
   }
-  double least_width() const { return 0.05 * physics_.base.peak_velocity; }
 
-  void promise(std::uint32_t i, double width) {
-    Promise& promise = promises_[i];
-    std::copy_n(rows[i].half.begin(), Row::room, promise.velocity.begin());
-    promise.velocity[vertical] -= fallen_;
-    promise.width = width;
-    fastest_promised_ =
-        std::max(fastest_promised_, std::sqrt(rows[i].half_speed_squared()) + width);
-  }
-
-  /// For a window that begins now. Grains in contact may change their velocities by as much as
-  /// their contacts close.
   void make_promises() {
-    fallen_ = 0;
-    fastest_promised_ = 0;
-    widths_.assign(rows.size(), least_width());
+    promises_.begin_window();
     for (const auto& listed : touching) {
-      const auto [i, j] = std::pair{listed.pair.i, listed.pair.j};
-      const double speed = (rows[i].half_velocity() - rows[j].half_velocity()).norm();
-      widths_[i] = std::max(widths_[i], speed + least_width());
-      widths_[j] = std::max(widths_[j], speed + least_width());
+      promises_.note_contact(rows, listed.pair.i, listed.pair.j);
     }
-    for (std::uint32_t i = 0; i < rows.size(); ++i) promise(i, widths_[i]);
+    promises_.promise_all(rows);
   }
 
   double moved_since_build(std::uint32_t i) const {
@@ -185,7 +153,7 @@ class DenseLists {
   }
   /// How far row i may go within `left` if it keeps its promise.
   double may_move(std::uint32_t i, double left) const {
-    return (std::sqrt(rows[i].half_speed_squared()) + promises_[i].width +
+    return (std::sqrt(rows[i].half_speed_squared()) + promises_.width(i) +
             largest_acceleration() * left) *
            left;
   }
@@ -244,17 +212,7 @@ class DenseLists {
 
   /// Beyond this distance no two rows meet within `left`.
   double reach(double left) const {
-    return 2 * grain_radius + 2.01 * (fastest_promised_ + largest_acceleration() * left) * left;
-  }
-
-  /// Whether the rows of a pair, r apart (from i to j), may meet within `left`.
-  bool meet(const NeighbourPair<D>& pair, const Vector<D>& r, double left) const {
-    const Promise& a = promises_[pair.i];
-    const Promise& b = promises_[pair.j];
-    Vector<D> w;
-    for (int c = 0; c < D; ++c) w[c] = b.velocity[c] - a.velocity[c];
-    return may_meet(r.squaredNorm(), r.dot(w), w.squaredNorm(), 2 * grain_radius, a.width + b.width,
-                    left);
+    return 2 * grain_radius + 2.01 * (promises_.fastest() + largest_acceleration() * left) * left;
   }
 
   void open_window(long step) {
@@ -268,7 +226,8 @@ class DenseLists {
     for (std::uint32_t k = 0; k < outer_.size(); ++k) {
       const auto& pair = outer_[k];
       const auto r = separation_of(pair);
-      if (r.squaredNorm() > far || (!in_contact_[k] && !meet(pair, r, left))) continue;
+      if (r.squaredNorm() > far || (!in_contact_[k] && !promises_.let_meet(pair, r, left)))
+        continue;
       pair_stamp_[k] = window_;
       if (!in_contact_[k]) candidates.push_back({pair, k});
       on_grid_[pair.i] = on_grid_[pair.j] = true;
@@ -304,7 +263,7 @@ class DenseLists {
     long& stamp = wall_stamp_[wall * rows.size() + i];
     if (stamp == window_) return true;
     const double nearing =
-        std::max(-away, 0.0) + promises_[i].width + largest_acceleration() * left;
+        std::max(-away, 0.0) + promises_.width(i) + largest_acceleration() * left;
     if (-overlap >= 1.001 * nearing * left) return false;
     stamp = window_;
     near_walls[wall].push_back(i);
@@ -319,7 +278,7 @@ class DenseLists {
       const Vector<D> flown = rows[other].flown(steps, physics_.time_step, physics_.gravity);
       r += other == pair.j ? flown : Vector<D>(-flown);
     }
-    if (!meet(pair, r, left)) return;
+    if (!promises_.let_meet(pair, r, left)) return;
     pair_stamp_[k] = window_;
     candidates.push_back({pair, k});
     if (on_grid_[other]) return;
@@ -334,16 +293,13 @@ class DenseLists {
   std::vector<char> in_contact_;  ///< the outer pair touches at the present step
   std::vector<long> pair_stamp_;  ///< window in which the outer pair was last listed
   PairsOfRows of_rows_;
-  std::vector<Promise> promises_;
-  std::vector<double> widths_;
+  DensePromises<Physics> promises_;
   std::vector<long> wall_stamp_;  ///< by wall and row: window in which it was last listed
   std::vector<char> on_grid_;
   std::vector<std::uint32_t> flying_;  ///< at the window's beginning
   Columns<D> position_;
   Columns<D> built_at_;
   double skin_ = 0;
-  double fallen_ = 0;            ///< what gravity added to velocities since the window's beginning
-  double fastest_promised_ = 0;  ///< speed and width of a promise
   long window_steps_;
   long window_ = 0;
   long window_end_ = 0;

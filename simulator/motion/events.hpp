@@ -29,6 +29,7 @@ struct EventCounters {
   long undone = 0;    ///< contacts in one stride undone because a third grain came near
   long breaches = 0;  ///< grains found overlapping before their touch was seen: must stay 0
   long dense_steps = 0;  ///< steps taken with all grains on the grid
+  long dense_stays = 0;  ///< in as many stretches
 };
 
 /// When all grains are handed to the dense stepper, and taken back. A hand-over costs as much as

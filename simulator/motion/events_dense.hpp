@@ -21,6 +21,7 @@ void EventEngine<Physics>::be_patient() {
 template <class Physics>
 void EventEngine<Physics>::enter_dense() {
   be_patient();
+  ++counters_.dense_stays;
   const double t = time_of(step_);
   while (true) {
     const auto open = std::find_if(ongoing_.begin(), ongoing_.end(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -67,6 +68,16 @@ class ColumnBlocks {
       const Block& block = blocks_[p];
       return block.touching.size() + 2 * block.active.size() + block.candidates.size() / 2;
     });
+  }
+
+  ContactCounters counters() const {
+    ContactCounters sum;
+    for (const Block& block : blocks_) {
+      sum.pair_steps += block.counters.pair_steps;
+      sum.wall_steps += block.counters.wall_steps;
+      sum.largest_overlap = std::max(sum.largest_overlap, block.counters.largest_overlap);
+    }
+    return sum;
   }
 
   /// Adds what the block below has put aside for rows of block p.

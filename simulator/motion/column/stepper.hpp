@@ -1,11 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 #include "simulator/motion/column/batches.hpp"
+#include "simulator/motion/column/contacts_as_seen.hpp"
 #include "simulator/motion/column/lists.hpp"
 
 namespace shakebed::simulator {
@@ -22,9 +21,6 @@ namespace shakebed::simulator {
 template <class Physics>
 class ColumnStepper {
  public:
-  using PairMemory = typename Physics::template PairMemory<double>;
-  using WallMemory = typename Physics::template WallMemory<double>;
-
   /// A `held` grain stays where it is (in the frame of the simulation), whatever pushes it.
   ColumnStepper(const Physics& physics, const SizedGrains& start, long first_step = 0,
                 const std::vector<ContactMemory>& remembered = {}, std::int64_t held = -1,
@@ -61,19 +57,12 @@ class ColumnStepper {
   }
 
   long step_number() const { return step_; }
-  ContactCounters counters() const {
-    ContactCounters all;
-    for (const Block& block : lists_.blocks.all()) {
-      all.pair_steps += block.counters.pair_steps;
-      all.wall_steps += block.counters.wall_steps;
-      all.largest_overlap = std::max(all.largest_overlap, block.counters.largest_overlap);
-    }
-    return all;
-  }
+  ContactCounters counters() const { return lists_.blocks.counters(); }
   long touching_pairs() const {
     long pairs = 0;
-    for (const Block& block : lists_.blocks.all())
+    for (const Block& block : lists_.blocks.all()) {
       pairs += static_cast<long>(block.touching.size());
+    }
     return pairs;
   }
   long touching_walls() const {
@@ -107,26 +96,10 @@ class ColumnStepper {
 
   /// All contacts of the present step, with forces as they acted.
   std::vector<ColumnContact> contacts() const {
-    std::vector<ColumnContact> found;
-    for (const Block& block : lists_.blocks.all()) add_contacts(found, block.touching);
-    const auto walls = wall_contacts();
-    found.insert(found.end(), walls.begin(), walls.end());
-    return found;
+    return contacts_as_seen(physics_, lists_.blocks, step_);
   }
-
   std::vector<ColumnContact> wall_contacts() const {
-    std::vector<ColumnContact> found;
-    const BaseState base = physics_.base_at(step_);
-    for (const Block& block : lists_.blocks.all()) {
-      add_wall_contacts(found, block.walls.base.list, base_partner,
-                        [&](const SeenGrain& grain) { return base_state(grain, base); });
-    }
-    for (const Block& block : lists_.blocks.all()) {
-      add_wall_contacts(found, block.walls.side.list, side_partner, [&](const SeenGrain& grain) {
-        return side_state(grain, physics_.cylinder, base);
-      });
-    }
-    return found;
+    return wall_contacts_as_seen(physics_, lists_.blocks, step_);
   }
 
   /// Everything the motion depends on, to be written, or read back in the same order.
@@ -141,53 +114,6 @@ class ColumnStepper {
 
   RowStore& rows() { return lists_.blocks.rows; }
   const RowStore& rows() const { return lists_.blocks.rows; }
-
-  std::int32_t grain_of(std::uint32_t row) const {
-    return static_cast<std::int32_t>(rows().grain[row]);
-  }
-
-  SeenGrain seen_grain(std::uint32_t row) const {
-    const auto& seen = rows().seen[row];
-    const auto triple = [](const Four& f) { return Triple<double>{f[0], f[1], f[2]}; };
-    return {triple(seen.position), triple(seen.velocity), triple(seen.rim_velocity),
-            rows().radius[row], rows().mass[row]};
-  }
-
-  template <class Memory>
-  static Memory as_memory(const Triple<double>& u) {
-    if constexpr (std::is_empty_v<Memory>) {
-      return {};
-    } else {
-      return u;
-    }
-  }
-
-  template <class List>
-  void add_contacts(std::vector<ColumnContact>& found, const List& list) const {
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      auto i = list.i()[k];
-      auto j = list.j()[k];
-      auto u = list.memory_at(k);
-      if (grain_of(i) > grain_of(j)) {
-        std::swap(i, j);
-        u = -1.0 * u;  // as seen from the other grain
-      }
-      found.push_back(contact_now(physics_.grain_grain, grain_of(i), grain_of(j),
-                                  pair_state(seen_grain(i), seen_grain(j)),
-                                  as_memory<PairMemory>(u)));
-    }
-  }
-
-  template <class List, class StateOf>
-  void add_wall_contacts(std::vector<ColumnContact>& found, const List& list, std::int32_t partner,
-                         StateOf state_of) const {
-    for (std::size_t k = 0; k < list.size; ++k) {
-      const auto state = state_of(seen_grain(list.row[k]));
-      if (state.overlap <= 0) continue;
-      found.push_back(contact_now(physics_.grain_wall, grain_of(list.row[k]), partner, state,
-                                  as_memory<WallMemory>(list.memory_at(k))));
-    }
-  }
 
   Four field_row(long step) const { return Four{0, 0, physics_.field_at(step), 0}; }
 
