@@ -6,6 +6,7 @@ set tmargin at screen 0.965
 set bmargin at screen 0.135
 set xlabel '{/:Italic W} = {/:Italic V}_p^2 / ({/:Italic d g}),  nominal without gravity'
 set ylabel '2{/:Italic T}_z / ({/:Italic m V}_p^2),   {/:Italic T}_z by Eq. (5)' offset 0.3
+set datafile missing  # a line ends at a point that is not steady
 is(word, c, value) = strcol(c) eq word ? value : NaN
 isnt(word, c, value) = strcol(c) ne word ? value : NaN
 do for [panel = 1:2] {
@@ -25,11 +26,11 @@ do for [panel = 1:2] {
     set format y '10^{%T}'
     unset key
   }
-  plot heavy using (is('steady', heavy_state, column(heavy_W))):(column(heavy_T_z_twice_scaled)):(column(heavy_T_z_twice_scaled_se)) \
+  plot heavy using (column(heavy_W)):(is('steady', heavy_state, column(heavy_T_z_twice_scaled))):(column(heavy_T_z_twice_scaled_se)) \
          with yerrorlines pointtype 7 pointsize 0.8 linewidth 1.4 linecolor rgb blue title 'with gravity', \
        heavy using (isnt('steady', heavy_state, column(heavy_W))):(column(heavy_T_z_twice_scaled)):(column(heavy_T_z_twice_scaled_se)) \
          with yerrorbars pointtype 6 pointsize 0.9 linewidth 1.4 linecolor rgb blue, \
-       weightless using (is('steady', weightless_state, column(weightless_W_nominal))):(column(weightless_T_z_twice_scaled)):(column(weightless_T_z_twice_scaled_se)) \
+       weightless using (column(weightless_W_nominal)):(is('steady', weightless_state, column(weightless_T_z_twice_scaled))):(column(weightless_T_z_twice_scaled_se)) \
          with yerrorlines pointtype 5 pointsize 0.8 linewidth 1.4 linecolor rgb vermillion title 'without gravity', \
        weightless using (isnt('steady', weightless_state, column(weightless_W_nominal))):(column(weightless_T_z_twice_scaled)):(column(weightless_T_z_twice_scaled_se)) \
          with yerrorbars pointtype 4 pointsize 0.9 linewidth 1.4 linecolor rgb vermillion, \

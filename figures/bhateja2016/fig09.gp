@@ -1,6 +1,7 @@
 # Fig. 9: T_z against W when one parameter is changed; scaled as in Fig. 2.
 load 'style.gp'
 load 'series.gp'
+set datafile missing  # a line ends at a point that is missing or not steady
 set multiplot
 set xrange [0:145]
 set yrange [0:*]
@@ -23,7 +24,7 @@ do for [panel = 1:4] {
   list = ' '
   stats file using (note(strcol(c))) nooutput
   n = words(list)
-  plot for [k = 1:n] file using (steady_of(c, word(list, k), state, column(W))):(column(y)):(column(se)) \
+  plot for [k = 1:n] file using (of_series(c, word(list, k), column(W))):(if_steady(state, column(y))):(column(se)) \
          with yerrorlines pointtype shape(k) pointsize 0.6 linecolor rgb tone(k, n) linewidth 1.2 title what . word(list, k), \
        for [k = 1:n] file using (marked_of(c, word(list, k), state, column(W))):(column(y)):(column(se)) \
          with yerrorbars pointtype open_shape(k) pointsize 0.9 linecolor rgb tone(k, n) linewidth 1.2, \

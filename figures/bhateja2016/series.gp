@@ -19,6 +19,10 @@ array hollow[6] = [6, 4, 8, 10, 12, 14]
 shape(k) = shapes[1 + (k - 1) % 6]
 open_shape(k) = hollow[1 + (k - 1) % 6]
 
+# x in rows of one series, and y where it is steady.
+of_series(c, word, x) = (strcol(c) eq word) ? x : NaN
+if_steady(state, y) = (strcol(state) eq 'steady') ? y : NaN
+
 # `value` in rows of one series that are steady (or are not), nothing elsewhere.
 steady_of(c, word, state, value) = (strcol(c) eq word && strcol(state) eq 'steady') ? value : NaN
 marked_of(c, word, state, value) = (strcol(c) eq word && strcol(state) ne 'steady') ? value : NaN
