@@ -66,8 +66,8 @@ TEST_CASE("Cores that have no bed of their own help with one in a container, and
   };
   CHECK(threads_seen(4, "periodic") == 1);
   for (auto& run : runs) {
-    run.scene = simulator::read_scene(SHAKEBED_SCENES "/brazil_nut.yaml",
-                                      {{"grains.count", "1700"}});
+    run.scene =
+        simulator::read_scene(SHAKEBED_SCENES "/brazil_nut.yaml", {{"grains.count", "1700"}});
   }
   CHECK(threads_seen(1, "one core") == 1);
   CHECK(threads_seen(2, "a core each") == 1);
