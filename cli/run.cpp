@@ -1,11 +1,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "cli/commands.hpp"
 #include "cli/overrides.hpp"
@@ -68,9 +66,7 @@ int run_command(const RunOptions& options) {
   simulator::RunControl control;
   const auto beds = sweeps::store::bed_store(sweeps::store::Cache::place(std::nullopt));
   control.store = &beds;
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  sweeps::ThreadTeam team(std::min(options.threads > 0 ? options.threads : std::max(1, cores),
-                                   simulator::useful_threads(scene)));
+  auto team = sweeps::ThreadTeam::for_bed(scene, options.threads);
   control.crew = &team;
   control.stop_requested = sweeps::StopSignals::raised;
   if (isatty(STDERR_FILENO) != 0) {

@@ -13,9 +13,8 @@ namespace shakebed::fitting {
 /// What a fit leaves behind, all numbers computed, ready to be drawn or printed:
 ///  parameters   one row a parameter (also W_f, peak_height and W_2 of every peak)
 ///  summary      one row a fit: range, points, chi^2/dof, correlation coefficient, AIC, runs test
-///  exponents    one row a power law: alpha by the default rule, its errors from those of the
-///  points
-///               and from the scatter about the line, and its spread over the other rules
+///  exponents    one row a power law: alpha by the default rule, its errors from the points'
+///               own and from the scatter about the line, and its spread over the other rules
 ///  curves       every fitted curve, its 95 % band and the paper's curve on a fine grid
 ///  comparison   our curve against the paper's at the places the fit file names
 ///  correlations between the parameters of a fit

@@ -100,7 +100,7 @@ class Ensemble {
     };
     try {
       const auto& scene = runs_[task.run].scene;
-      ThreadTeam team(std::min(threads_per_bed_, simulator::useful_threads(scene)));
+      auto team = ThreadTeam::for_bed(scene, threads_per_bed_);
       outcome.record =
           runner_(scene, {[this] { return stop_requested(); }, advance_to, &beds_, &team});
     } catch (const files::Interrupted&) {

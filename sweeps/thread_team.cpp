@@ -1,7 +1,11 @@
 #include "sweeps/thread_team.hpp"
 
+#include <tbb/info.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "simulator/simulate.hpp"
 
 namespace shakebed::sweeps {
 namespace {
@@ -32,6 +36,11 @@ ThreadTeam::ThreadTeam(int threads) {
   for (int number = 1; number < threads; ++number) {
     helpers_.emplace_back([this, number] { help(static_cast<std::size_t>(number)); });
   }
+}
+
+ThreadTeam ThreadTeam::for_bed(const simulator::Scene& scene, int most) {
+  const int cores = most > 0 ? most : tbb::info::default_concurrency();
+  return ThreadTeam(std::min(cores, simulator::useful_threads(scene)));
 }
 
 ThreadTeam::~ThreadTeam() {

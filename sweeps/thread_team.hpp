@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simulator/crew.hpp"
+#include "simulator/scene/scene.hpp"
 
 namespace shakebed::sweeps {
 
@@ -18,6 +19,8 @@ class ThreadTeam final : public simulator::Crew {
   /// With the calling thread, `threads` in all.
   explicit ThreadTeam(int threads);
   ~ThreadTeam() override;
+  /// As many threads as can share the work on a bed of this scene, `most` of them (0: one a core).
+  static ThreadTeam for_bed(const simulator::Scene& scene, int most);
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 

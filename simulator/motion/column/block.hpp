@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -52,6 +53,9 @@ struct ColumnBlock {
   void begin_to_touch(std::uint32_t i, std::uint32_t j, double contact_size, double effective_mass,
                       const Triple<double>& u = {0, 0, 0}) {
     touching.push(i, j, contact_size, effective_mass, u);
+    note_spill(i, j);
+  }
+  void note_spill(std::uint32_t i, std::uint32_t j) {
     spill_end = std::max({spill_end, i + 1, j + 1});
   }
 

@@ -13,8 +13,8 @@
 namespace shakebed::simulator {
 
 /// A bed's rows in blocks, each with the contacts that it reckons with. Pairs of rows in blocks
-/// apart, and those of large grains, are in one more block without rows, `far`, that is worked on
-/// when the others are done.
+/// apart, and those of large grains, are in one more block without rows, `far`, whose contacts
+/// are added before those of the others.
 template <class Physics>
 class ColumnBlocks {
  public:
@@ -84,7 +84,7 @@ class ColumnBlocks {
   void take_up_spill(std::size_t p) {
     if (p == 0) return;
     for (std::uint32_t i = blocks_[p].begin; i < blocks_[p - 1].spill_end; ++i) {
-      move_pull(rows.pull[1 - p % 2][i], rows.pull[p % 2][i]);
+      move_pull(rows.pull[blocks_[p - 1].pull][i], rows.pull[blocks_[p].pull][i]);
     }
   }
 
@@ -94,12 +94,15 @@ class ColumnBlocks {
     const auto& list = far().touching;
     for (std::size_t k = 0; k < list.size(); ++k) {
       for (const auto i : {list.i()[k], list.j()[k]}) {
-        if (cuts.block_of(i) % 2 == 1) move_pull(rows.pull[0][i], rows.pull[1][i]);
+        const std::size_t own = of_row(i).pull;
+        if (own != far().pull) move_pull(rows.pull[far().pull][i], rows.pull[own][i]);
       }
     }
   }
 
-  const PullRow& pull_of(std::uint32_t i) const { return rows.pull[cuts.block_of(i) % 2][i]; }
+  const PullRow& pull_of(std::uint32_t i) const {
+    return rows.pull[blocks_[cuts.block_of(i)].pull][i];
+  }
 
   /// Takes up the contacts of a bed as it stands, with what they remember.
   void meet_all(const OuterList& outer, const std::vector<ContactMemory>& remembered) {

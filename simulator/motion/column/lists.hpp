@@ -82,6 +82,7 @@ class ColumnLists {
   void look_around(Block& block, long step) {
     block.found.clear();
     const double left = left_at(step);
+    const BaseState base = physics_.base_at(step);
     for (const auto i : block.broke_promise) {
       if (moved_since_build(i, step) + may_move(i, left) > serving * outer_.skin()) {
         block.outer_too_short = true;
@@ -95,7 +96,7 @@ class ColumnLists {
         const Four r = rows().seen[i].position - other.position;
         if (promises_.let_meet(i, j, r, outer_.contact_size()[k], left)) block.found.push_back(k);
       });
-      block.walls.list(rows(), i, physics_, physics_.base_at(step), window_, {left, promises_});
+      block.walls.list(rows(), i, physics_, base, window_, {left, promises_});
     }
   }
 
@@ -200,7 +201,7 @@ class ColumnLists {
       const auto j = list.j()[k];
       const double speed = length(rows().own[i].half_velocity - rows().own[j].half_velocity);
       promises_.note_contact(i, j, speed, block.end);
-      block.spill_end = std::max({block.spill_end, i + 1, j + 1});
+      block.note_spill(i, j);
     }
   }
 

@@ -12,6 +12,13 @@
 
 namespace shakebed::simulator {
 
+/// What a contact with a wall remembers.
+struct WallContactOfRow {
+  std::uint32_t row;
+  std::int32_t partner;
+  Triple<double> u;
+};
+
 /// What contacts remember of a bed that is taken up, asked for by row.
 class RememberedContacts {
  public:
@@ -44,20 +51,14 @@ class RememberedContacts {
   /// visit(row, partner, u)
   template <class Visit>
   void for_walls(Visit visit) const {
-    for (const auto& one : walls_) visit(one.i, one.partner, one.u);
+    for (const auto& one : walls_) visit(one.row, one.partner, one.u);
   }
 
  private:
-  struct WallContact {
-    std::uint32_t i;
-    std::int32_t partner;
-    Triple<double> u;
-  };
-
   static std::uint64_t key(std::uint64_t i, std::uint64_t j) { return (i << 32) + j; }
 
   std::vector<std::pair<std::uint64_t, Triple<double>>> pairs_;
-  std::vector<WallContact> walls_;
+  std::vector<WallContactOfRow> walls_;
 };
 
 /// Rows were put in another order, row r is now called new_row[r]: contacts go with their memory to
@@ -87,12 +88,7 @@ void regroup_contacts(const RowStore& rows, std::vector<Block>& blocks,
 template <class Block>
 void regroup_wall_contacts(const RowStore& rows, std::vector<Block>& blocks,
                            const std::vector<std::uint32_t>& new_row, const BlockCuts& cuts) {
-  struct One {
-    std::uint32_t row;
-    std::int32_t partner;
-    Triple<double> u;
-  };
-  std::vector<One> all;
+  std::vector<WallContactOfRow> all;
   for (auto& block : blocks) {
     block.walls.give_up([&](std::uint32_t i, std::int32_t partner, const Triple<double>& u) {
       all.push_back({new_row[i], partner, u});

@@ -137,7 +137,7 @@ class ColumnStepper {
     if (lists_.window_over(step_)) lists_.open_next_window(step_);
     const Four field = note_fall();
     lists_.blocks.share([&](Block& block, std::size_t p) { move(block, p, field); });
-    look_around();
+    arrive();
   }
 
   /// The contacts of this step and the move to the next one in one go through the bed: a block is
@@ -152,7 +152,7 @@ class ColumnStepper {
           if (below_is_done) move(block, p, field);
         },
         [&](Block& block, std::size_t p) { move(block, p, field); });
-    look_around();
+    arrive();
   }
 
   Four note_fall() {
@@ -162,7 +162,7 @@ class ColumnStepper {
   }
 
   /// The bed is at the next step now; those that broke their promises find whom they can reach.
-  void look_around() {
+  void arrive() {
     ++step_;
     if (!lists_.any_broken()) return;
     lists_.blocks.share([&](Block& block, std::size_t) { lists_.look_around(block, step_); });

@@ -19,7 +19,8 @@ class WorkDivision {
   /// work(block, whether another thread does the block below) for all blocks.
   template <class Work>
   void share(const Work& work) const {
-    simulator::share(crew_, begin_.size() - 1, [&](std::size_t thread) {
+    Crew* helping = threads() > 1 ? crew_ : nullptr;
+    simulator::share(helping, threads(), [&](std::size_t thread) {
       for (auto block = begin_[thread]; block < begin_[thread + 1]; ++block) {
         work(block, block == begin_[thread] && thread > 0);
       }
