@@ -32,13 +32,7 @@ void compare(const Physics& physics, const SizedGrains& start, long steps) {
     fast.advance(steps / looks);
     const auto& a = plain.synchronised();
     const auto& b = fast.synchronised();
-    double worst = 0;
-    for (std::size_t i = 0; i < a.count(); ++i) {
-      worst = std::max({worst, (row(a.position, i) - row(b.position, i)).norm(),
-                        (row(a.velocity, i) - row(b.velocity, i)).norm(),
-                        (row(a.spin, i) - row(b.spin, i)).norm()});
-    }
-    REQUIRE(worst < tolerance);
+    REQUIRE(largest_difference(a, b) < tolerance);
     REQUIRE(plain.counters().pair_steps == fast.counters().pair_steps);
     REQUIRE(plain.counters().wall_steps == fast.counters().wall_steps);
     auto ours = fast.contacts();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,17 @@ Physics shaken(Physics physics, double amplitude, double angular_frequency) {
   physics.steps_per_cycle = std::lround(period / physics.time_step);
   physics.time_step = period / static_cast<double>(physics.steps_per_cycle);
   return physics;
+}
+
+/// Of positions, velocities and spins.
+inline double largest_difference(const SizedGrains& a, const SizedGrains& b) {
+  double worst = 0;
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    worst = std::max({worst, (row(a.position, i) - row(b.position, i)).norm(),
+                      (row(a.velocity, i) - row(b.velocity, i)).norm(),
+                      (row(a.spin, i) - row(b.spin, i)).norm()});
+  }
+  return worst;
 }
 
 /// Grains of diameter 1 and mass 1, high above the base.
