@@ -20,7 +20,7 @@ do for [panel = 1:4] {
   set bmargin at screen (panel < 3 ? 0.585 : 0.085)
   set label 1 name at graph 0.04, 0.94
   # A single layer is a hundred times as hot as twenty.
-  if (panel == 4) { set logscale y; set yrange [0.005:200]; set key maxrows 6 width -10; set format y '10^{%T}' }
+  if (panel == 4) { set logscale y; set yrange [0.005:200]; set key at graph 0.93, 0.97 maxrows 6 width -10 font ',10'; set format y '10^{%T}' }
   list = ' '
   stats file using (note(strcol(c))) nooutput
   n = words(list)
