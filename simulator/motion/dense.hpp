@@ -1,10 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 #include <vector>
 
-#include "simulator/motion/contact_batch.hpp"
+#include "simulator/motion/dense_contacts.hpp"
 #include "simulator/motion/dense_lists.hpp"
 
 namespace shakebed::simulator {
@@ -99,36 +100,27 @@ class DenseStepper {
     } else {
       touching_ = touch_base(ledger);
     }
-    for (std::size_t n = 0; n < lists_.candidates.size();) {
-      const auto& listed = lists_.candidates[n];
-      const auto r = lists_.separation_of(listed.pair);
-      if (r.squaredNorm() < 4 * grain_radius * grain_radius) [[unlikely]] {
-        ++ledger.collisions;
-        lists_.begin_contact(n);
-      } else {
-        ++n;
-      }
-    }
-    touch_pairs(ledger);
+    find_begun(lists_.candidates, lists_.rows.data(), found_);
+    ledger.collisions += static_cast<long>(found_.size());
+    for (const auto n : std::views::reverse(found_)) lists_.begin_contact(n);
+    touch_pairs(physics_, lists_.touching, lists_.rows.data(), ledger, found_);
+    for (const auto n : std::views::reverse(found_)) lists_.end_contact(n);
     touching_ += static_cast<long>(lists_.touching.size());
   }
 
   long touch_base(EnergyLedger& ledger) {
     if (lists_.near_walls[0].empty()) return 0;
     const BaseState base = base_now();
-    long count = 0;
-    auto& rows = lists_.rows;
+    base_hits_.clear();
     for (const auto i : lists_.near_walls[0]) {
-      const double overlap = rows[i].base_overlap(base);
+      const double overlap = lists_.rows[i].base_overlap(base);
       if (overlap <= 0) continue;
       if (wall_touched_[i] != step_ - 1) ++ledger.collisions;
       wall_touched_[i] = step_;
-      ++count;
-      batch_.add_base(rows.data(), i, base, overlap);
-      if (batch_.full()) batch_.apply_base(physics_, base, rows.data(), ledger);
+      base_hits_.push_back({i, overlap});
     }
-    batch_.apply_base(physics_, base, rows.data(), ledger);
-    return count;
+    simulator::touch_base(physics_, base, base_hits_, lists_.rows.data(), ledger);
+    return static_cast<long>(base_hits_.size());
   }
 
   long touch_walls(EnergyLedger& ledger) {
@@ -170,32 +162,14 @@ class DenseStepper {
     return energy;
   }
 
-  void touch_pairs(EnergyLedger& ledger) {
-    ended_.clear();
-    std::size_t first = 0;
-    const auto apply = [&] {
-      batch_.apply_pairs(physics_, lists_.rows.data(), ledger,
-                         [&](std::size_t k) { ended_.push_back(first + k); });
-    };
-    for (std::size_t n = 0; n < lists_.touching.size(); ++n) {
-      const auto& pair = lists_.touching[n].pair;
-      batch_.add_pair(lists_.rows.data(), pair.i, pair.j, pair.shift);
-      if (!batch_.full()) continue;
-      apply();
-      first = n + 1;
-    }
-    apply();
-    for (auto n = ended_.rbegin(); n != ended_.rend(); ++n) lists_.end_contact(*n);
-  }
-
   Physics physics_;
   DenseLists<Physics> lists_;
   long step_;
   long touching_ = 0;
-  std::vector<std::size_t> ended_;
+  std::vector<std::uint32_t> found_;  ///< pairs that begin or end to touch
+  std::vector<BaseHit> base_hits_;
   std::vector<std::uint32_t> broke_promise_;
   std::vector<long> wall_touched_;  ///< by wall and row: the last step of a contact
-  ContactBatch<Physics> batch_;
 };
 
 }  // namespace shakebed::simulator

@@ -7,6 +7,7 @@
 
 #include "simulator/motion/dense_promises.hpp"
 #include "simulator/motion/grid_row.hpp"
+#include "simulator/motion/listed_pairs.hpp"
 #include "simulator/motion/neighbours.hpp"
 #include "simulator/motion/pairs_of_rows.hpp"
 
@@ -25,17 +26,11 @@ class DenseLists {
   using Row = GridRow<Physics>;
   using PairOfGrains = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// A listed pair, with its own copy of what the outer list knows.
-  struct ListedPair {
-    NeighbourPair<D> pair;
-    std::uint32_t k;  ///< in the outer list
-  };
-
   std::vector<Row> rows;
   // Whether a pair touches cannot be predicted in one mixed list, and a wrong guess costs as much
   // as the force; a contact lasts some fifty steps, so that in lists kept apart it can.
-  std::vector<ListedPair> touching;
-  std::vector<ListedPair> candidates;
+  ListedPairs<D> touching;
+  ListedPairs<D> candidates;                           ///< apart, but may meet within the window
   std::vector<std::vector<std::uint32_t>> near_walls;  ///< a list each; the base is the first
   std::vector<std::uint32_t> stepped;                  ///< rows that do not fly
 
@@ -106,11 +101,11 @@ class DenseLists {
 
   void begin_contact(std::size_t n) {
     in_contact_[candidates[n].k] = true;
-    move_pair(candidates, n, touching);
+    candidates.move_to(touching, n);
   }
   void end_contact(std::size_t n) {
     in_contact_[touching[n].k] = false;
-    move_pair(touching, n, candidates);
+    touching.move_to(candidates, n);
   }
 
   std::vector<PairOfGrains> touching_pairs() const {
@@ -130,12 +125,6 @@ class DenseLists {
  private:
   static constexpr int vertical = Dimension<D>::vertical;
 
-  static void move_pair(std::vector<ListedPair>& from, std::size_t n, std::vector<ListedPair>& to) {
-    to.push_back(from[n]);
-    from[n] = from.back();
-    from.pop_back();
-  }
-
   double whole_window() const {
     return static_cast<double>(window_steps_ + 1) * physics_.time_step;
   }
@@ -143,7 +132,7 @@ class DenseLists {
   void make_promises() {
     promises_.begin_window();
     for (const auto& listed : touching) {
-      promises_.note_contact(rows, listed.pair.i, listed.pair.j);
+      promises_.note_contact(rows, outer_[listed.k].i, outer_[listed.k].j);
     }
     promises_.promise_all(rows);
   }
@@ -206,8 +195,14 @@ class DenseLists {
   void list_touching() {
     touching.clear();
     for (std::uint32_t k = 0; k < outer_.size(); ++k) {
-      if (in_contact_[k]) touching.push_back({outer_[k], k});
+      if (in_contact_[k]) touching.add(listed(k));
     }
+  }
+
+  ListedPair<D> listed(std::uint32_t k) const {
+    const auto& pair = outer_[k];
+    return {pair.shift, static_cast<std::uint32_t>(pair.i * sizeof(Row)),
+            static_cast<std::uint32_t>(pair.j * sizeof(Row)), k};
   }
 
   /// Beyond this distance no two rows meet within `left`.
@@ -229,7 +224,7 @@ class DenseLists {
       if (r.squaredNorm() > far || (!in_contact_[k] && !promises_.let_meet(pair, r, left)))
         continue;
       pair_stamp_[k] = window_;
-      if (!in_contact_[k]) candidates.push_back({pair, k});
+      if (!in_contact_[k]) candidates.add(listed(k));
       on_grid_[pair.i] = on_grid_[pair.j] = true;
     }
     for (auto& near : near_walls) near.clear();
@@ -280,7 +275,7 @@ class DenseLists {
     }
     if (!promises_.let_meet(pair, r, left)) return;
     pair_stamp_[k] = window_;
-    candidates.push_back({pair, k});
+    candidates.add(listed(k));
     if (on_grid_[other]) return;
     rows[other].fly(steps, physics_.time_step, physics_.gravity);
     on_grid_[other] = true;

@@ -29,7 +29,7 @@ class DensePromises {
 
   /// A new window; no contact is known yet.
   void begin_window() {
-    fallen_ = 0;
+    fallen_.fill(0);
     fastest_ = 0;
     std::fill(widths_.begin(), widths_.end(), least_width_);
   }
@@ -44,16 +44,16 @@ class DensePromises {
   }
 
   /// Gravity added `change` to all velocities.
-  void note_fall(double change) { fallen_ += change; }
+  void note_fall(double change) { fallen_[vertical] += change; }
 
   bool broken(const Row& row, std::uint32_t i) const {
     const Promise& promise = of_[i];
-    auto off = Row::place(row.half.data()) - Row::place(promise.velocity.data());
-    off[vertical] -= fallen_;
+    auto off = Row::place(row.half.data()) - Row::place(promise.velocity.data()) -
+               Row::place(fallen_.data());
     off *= off;
     double square = 0;
     for (int c = 0; c < D; ++c) square += off[c];
-    return square > promise.width * promise.width;
+    return square > promise.width_squared;
   }
   /// A wider promise from now on.
   void renew(const Row& row, std::uint32_t i) { promise(row, i, 2 * of_[i].width + least_width_); }
@@ -75,20 +75,23 @@ class DensePromises {
     /// But for what gravity adds since the window's beginning; what lies behind is padding.
     alignas(Row::room * sizeof(double)) std::array<double, Row::room> velocity;
     double width;
+    double width_squared;
   };
 
   void promise(const Row& row, std::uint32_t i, double width) {
     Promise& promise = of_[i];
     std::copy_n(row.half.begin(), Row::room, promise.velocity.begin());
-    promise.velocity[vertical] -= fallen_;
+    promise.velocity[vertical] -= fallen_[vertical];
     promise.width = width;
+    promise.width_squared = width * width;
     fastest_ = std::max(fastest_, std::sqrt(row.half_speed_squared()) + width);
   }
 
   std::vector<Promise> of_;
   std::vector<double> widths_;
   double least_width_;
-  double fallen_ = 0;  ///< what gravity added to velocities since the window's beginning
+  /// What gravity added to velocities since the window's beginning.
+  alignas(Row::room * sizeof(double)) std::array<double, Row::room> fallen_{};
   double fastest_ = 0;
 };
 

@@ -100,14 +100,16 @@ void EventEngine<Physics>::take_up_closed(const Ongoing& contact) {
 template <class Physics>
 void EventEngine<Physics>::set_predicted(GridRow<Physics>& row, const Motion& now) {
   for (int c = 0; c < D; ++c) row.predicted[c] = now.v[c];
-  for (int c = 0; c < S; ++c) row.predicted[D + c] = now.spin[c];
+  for (int c = 0; c < S; ++c) row.predicted[GridRow<Physics>::spin_first + c] = now.spin[c];
 }
 
 template <class Physics>
 void EventEngine<Physics>::set_half(GridRow<Physics>& row, const Motion& now) const {
   const double h = 0.5 * physics_.time_step;
   for (int c = 0; c < D; ++c) row.half[c] = now.v[c] - h * row.change[c];
-  for (int c = 0; c < S; ++c) row.half[D + c] = now.spin[c] - h * row.change[D + c];
+  for (int c = 0; c < S; ++c)
+    row.half[GridRow<Physics>::spin_first + c] =
+        now.spin[c] - h * row.change[GridRow<Physics>::spin_first + c];
 }
 
 }  // namespace shakebed::simulator

@@ -12,14 +12,15 @@ namespace shakebed::simulator {
 
 /// One grain on the global time grid, everything of it side by side: velocity Verlet in leapfrog
 /// form, step by step the same numbers as LeapfrogGrains. Velocity and spin share one row of
-/// numbers (v, then omega), padded to a power of two, so that one instruction moves them all.
+/// numbers (v, then omega), each padded to a power of two, so that one instruction moves them all.
 template <class Physics>
 struct GridRow {
   static constexpr int D = Physics::dimension;
   static constexpr int S = Physics::GrainState::spin_columns;
   static constexpr int vertical = Dimension<D>::vertical;
-  static constexpr std::size_t width = std::bit_ceil(static_cast<unsigned>(D + S));
   static constexpr std::size_t room = std::bit_ceil(static_cast<unsigned>(D));
+  static constexpr std::size_t spin_first = room;  ///< in a row of rates
+  static constexpr std::size_t width = S == 0 ? room : std::bit_ceil(room + S);
   using SpinRow = Eigen::Matrix<double, S, 1>;
   using Rates = std::array<double, width>;
   /// Rates as one register (or a few).
@@ -43,8 +44,8 @@ struct GridRow {
       change[c] = 0;
     }
     for (int c = 0; c < S; ++c) {
-      half[D + c] = spin[c];
-      change[D + c] = 0;
+      half[spin_first + c] = spin[c];
+      change[spin_first + c] = 0;
     }
     half[vertical] += 0.5 * physics.time_step * physics.gravity;
     change[vertical] = -physics.gravity;
@@ -59,7 +60,8 @@ struct GridRow {
   }
   SpinRow spin_now(double time_step) const {
     SpinRow spin;
-    for (int c = 0; c < S; ++c) spin[c] = half[D + c] + 0.5 * time_step * change[D + c];
+    for (int c = 0; c < S; ++c)
+      spin[c] = half[spin_first + c] + 0.5 * time_step * change[spin_first + c];
     return spin;
   }
   double half_speed_squared() const { return half_velocity().squaredNorm(); }
@@ -107,19 +109,19 @@ struct GridRow {
   static RateLanes lanes_of(const Vector<D>& linear, const Spin<D>& angular) {
     return RateLanes([&](auto c) -> double {
       if constexpr (c < D) return linear[c];
-      if constexpr (c >= D && c < D + S) return angular[c - D];
+      if constexpr (c >= spin_first && c < spin_first + S) return angular[c - spin_first];
       return 0;
     });
   }
   /// -1 for velocities, which differ in a relative motion, and 1 for spins, which add.
   static RateLanes signs() {
-    return RateLanes([](auto c) { return c < D ? -1.0 : 1.0; });
+    return RateLanes([](auto c) { return c < spin_first ? -1.0 : 1.0; });
   }
 
   Vector<D> predicted_velocity() const { return first<D>(predicted); }
   Spin<D> predicted_spin() const {
     Spin<D> spin = Spin<D>::Zero();
-    for (int c = 0; c < S; ++c) spin[c] = predicted[D + c];
+    for (int c = 0; c < S; ++c) spin[c] = predicted[spin_first + c];
     return spin;
   }
 

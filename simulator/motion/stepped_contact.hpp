@@ -220,8 +220,9 @@ class SteppedContact {
     }
     if (partners_ == 2) row.change[vertical] -= physics_.gravity;
     for (int c = 0; c < S; ++c) {
-      row.half[D + c] = half.spin[c];
-      row.change[D + c] = now_.spin_change[c] / (partners_ * grain_radius);
+      row.half[GridRow<Physics>::spin_first + c] = half.spin[c];
+      row.change[GridRow<Physics>::spin_first + c] =
+          now_.spin_change[c] / (partners_ * grain_radius);
     }
     return row;
   }

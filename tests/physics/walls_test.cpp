@@ -223,7 +223,7 @@ TEST_CASE("no gravity: T_z scales as V_p squared at fixed k_n") {
   std::vector<std::array<double, 3>> points;  // ln V_p, ln T_z, standard error of ln T_z
   for (const double v : {2.0, 4.0, 8.0}) {
     auto scene = weightless(v, 6.4e6, static_cast<std::uint64_t>(100 * v));
-    scene.protocol.cycles = 150;
+    scene.protocol.cycles = 300;
     const auto T_z = quantity(simulator::simulate(scene), "T_z");
     points.push_back({std::log(v), std::log(T_z.mean), T_z.standard_error / T_z.mean});
     const double weight = 1 / (points.back()[2] * points.back()[2]);
