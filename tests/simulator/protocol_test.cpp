@@ -81,9 +81,9 @@ TEST_CASE("sampling: powers are the ledger's, over the cycle's duration") {
 }
 
 // T_z has a standard deviation of 20 % from cycle to cycle, so that after n cycles its standard
-// error is 20 %/sqrt(n): 2.5 % at 64, 1.77 % at 128, 1.25 % at 256, up to the error's own error
-// (about 6-10 % of it).
-TEST_CASE("until: looks at doublings and stops at the first that is precise enough") {
+// error is 20 %/sqrt(n), up to the error's own error (about 6-10 % of it): 2.1 % takes 91 cycles,
+// 1.48 % 183 and 1.05 % 363.
+TEST_CASE("until: looks where the error should do and stops at the first that is precise enough") {
   auto scene = scripted_scene<3>();
   bool cautious = false;
   const auto cycles_for = [&](double fraction, long correlated_over) {
@@ -94,21 +94,43 @@ TEST_CASE("until: looks at doublings and stops at the first that is precise enou
         "cycles");
   };
   CHECK(cycles_for(0.1, 1) <= 64);  // 32 entries count as 30 independent ones only by luck
-  CHECK(cycles_for(0.021, 1) == 128);
-  CHECK(cycles_for(0.0148, 1) == 256);
-  CHECK(cycles_for(0.0105, 1) == 512);
+  // 0.8 and 1.5: the error is off by a tenth, a look comes at 1.1 times what is needed, or at
+  // sqrt(2) times the look before.
+  for (const auto& [fraction, needed] : {std::pair{0.021, 91}, {0.0148, 183}, {0.0105, 363}}) {
+    CHECK(cycles_for(fraction, 1) >= 0.8 * needed);
+    CHECK(cycles_for(fraction, 1) <= 1.5 * needed);
+  }
   // Every value held for 16 cycles: the standard error is 4 times larger, at 16 times the cycles.
-  CHECK(cycles_for(0.042, 16) == 512);
+  CHECK(cycles_for(0.042, 16) >= 0.6 * 363);
+  CHECK(cycles_for(0.042, 16) <= 2 * 363);
   // The largest of several estimates is above them on average, by less than a doubling is worth.
   cautious = true;
-  for (const auto& [fraction, plain] : {std::pair{0.021, 128}, {0.0148, 256}, {0.0105, 512}}) {
-    CHECK(cycles_for(fraction, 1) >= plain);
-    CHECK(cycles_for(fraction, 1) <= 2 * plain);
+  for (const auto& [fraction, needed] : {std::pair{0.021, 91}, {0.0148, 183}, {0.0105, 363}}) {
+    CHECK(cycles_for(fraction, 1) >= 0.8 * needed);
+    CHECK(cycles_for(fraction, 1) <= 2 * 1.5 * needed);
   }
 }
 
+// A run that stops where its error does must not have stopped because it was lucky. Of 300 runs
+// 0.90 to 0.98 should hold the mean within two standard errors (simulated with series of
+// correlation times from 0.5 to 20 entries; 0.89 to 0.97 with looks at doublings). Below 0.86: once
+// in 100 tests at 0.90, once in 10^6 at 0.93; the seeds are fixed.
+TEST_CASE("until: intervals of runs that stopped by themselves hold the mean") {
+  auto scene = scripted_scene<3>();
+  scene.protocol.cautious_errors = true;
+  scene.protocol.until = {"T_z", 0.02};
+  int held = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const auto record =
+        measure_script<3>(scene, [&](long cycle, double) { return noisy(cycle, 2, seed); });
+    const auto T_z = quantity(record, "T_z");
+    held += std::abs(T_z.mean - 1) < 2 * T_z.standard_error;
+  }
+  CHECK(held >= 0.86 * 300);
+}
+
 // Loose targets must still wait for 30 independent entries: with noise held for 16 cycles (2 tau =
-// 16) that takes 480 cycles, so 512 at the earliest (or 1024 by the scatter of tau's estimate).
+// 16) that takes 480 cycles, give or take the scatter of tau's estimate.
 TEST_CASE("until: waits for 30 independent entries") {
   auto scene = scripted_scene<3>();
   scene.protocol.until = {"T_z", 0.5};
@@ -118,7 +140,6 @@ TEST_CASE("until: waits for 30 independent entries") {
     const double cycles = scalar(record, "cycles");
     CHECK(cycles >= 256);
     CHECK(cycles <= 2048);
-    CHECK(std::exp2(std::round(std::log2(cycles))) == cycles);
     CHECK(scalar(record, "independent_entries") >= 30);
   }
 }
