@@ -3,6 +3,7 @@
 
 namespace shakebed::simulator {
 
+template class EventEngine<BedPhysics<2, ViscousCoulomb>>;
 template Record run_bed<BedPhysics<2, ViscousCoulomb>>(const Scene&, const RunControl&);
 
 }  // namespace shakebed::simulator

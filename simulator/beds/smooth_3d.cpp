@@ -3,6 +3,7 @@
 
 namespace shakebed::simulator {
 
+template class EventEngine<BedPhysics<3, Frictionless>>;
 template Record run_bed<BedPhysics<3, Frictionless>>(const Scene&, const RunControl&);
 
 }  // namespace shakebed::simulator

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "simulator/bed.hpp"
-#include "simulator/motion/events.hpp"
+#include "simulator/beds/engines.hpp"
 
 namespace shakebed::simulator {
 
