@@ -16,18 +16,15 @@ using Eight = double __attribute__((vector_size(64)));
 [[gnu::always_inline]] inline Four beside(const Two& a, const Two& b) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3);
 }
-[[gnu::always_inline]] inline Eight beside(const Four& a, const Four& b) {
-  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
-}
 
 /// Component c of row k becomes lane k of out[c].
 template <class Simd>
 [[gnu::always_inline]] inline void transpose_rows(const Four* d, Simd* out) {
   if constexpr (Simd::size() == 8) {
-    const Eight a0 = beside(d[0], d[4]);
-    const Eight a1 = beside(d[1], d[5]);
-    const Eight a2 = beside(d[2], d[6]);
-    const Eight a3 = beside(d[3], d[7]);
+    const Eight a0 = __builtin_shufflevector(d[0], d[4], 0, 1, 2, 3, 4, 5, 6, 7);
+    const Eight a1 = __builtin_shufflevector(d[1], d[5], 0, 1, 2, 3, 4, 5, 6, 7);
+    const Eight a2 = __builtin_shufflevector(d[2], d[6], 0, 1, 2, 3, 4, 5, 6, 7);
+    const Eight a3 = __builtin_shufflevector(d[3], d[7], 0, 1, 2, 3, 4, 5, 6, 7);
     const Eight t0 = __builtin_shufflevector(a0, a1, 0, 8, 2, 10, 4, 12, 6, 14);
     const Eight t1 = __builtin_shufflevector(a0, a1, 1, 9, 3, 11, 5, 13, 7, 15);
     const Eight t2 = __builtin_shufflevector(a2, a3, 0, 8, 2, 10, 4, 12, 6, 14);
@@ -54,8 +51,10 @@ template <class Simd>
 template <class Simd>
 [[gnu::always_inline]] inline void transpose_rows(const Two* d, Simd* out) {
   if constexpr (Simd::size() == 8) {
-    const Eight a = beside(beside(d[0], d[1]), beside(d[2], d[3]));
-    const Eight b = beside(beside(d[4], d[5]), beside(d[6], d[7]));
+    const Eight a = __builtin_shufflevector(beside(d[0], d[1]), beside(d[2], d[3]),  //
+                                            0, 1, 2, 3, 4, 5, 6, 7);
+    const Eight b = __builtin_shufflevector(beside(d[4], d[5]), beside(d[6], d[7]),  //
+                                            0, 1, 2, 3, 4, 5, 6, 7);
     out[0] = Simd(__builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14));
     out[1] = Simd(__builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15));
   } else if constexpr (Simd::size() == 4) {
