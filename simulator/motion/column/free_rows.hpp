@@ -40,14 +40,12 @@ class FreeRows {
     const auto n = static_cast<double>(k);
     const double dt = time_step_;
     const double fall = -gravity_ * dt;
-    Four v = own.half_velocity;
-    v[3] = 0;
+    const Four v = three_of(own.half_velocity);
     seen.position += (n * dt) * v;
     seen.position[2] += 0.5 * n * (n + 1) * dt * fall;
     own.half_velocity[2] += n * fall;
-    seen.velocity = own.half_velocity;
+    seen.velocity = three_of(own.half_velocity);
     seen.velocity[2] += prediction_ * -gravity_;
-    seen.velocity[3] = 0;
   }
 
   std::vector<long> since_;  ///< the step at which a row was left, or -1

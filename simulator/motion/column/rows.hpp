@@ -20,7 +20,13 @@ struct alignas(64) OwnRow {
   Four half_rim;
 };
 
-/// Sums over the contacts of a grain.
+/// With 0 in the fourth lane: one instruction, where setting a lane is three.
+[[gnu::always_inline]] inline Four three_of(const Four& a) {
+  using Bits = long long __attribute__((vector_size(32)));
+  return reinterpret_cast<Four>(reinterpret_cast<Bits>(a) & Bits{-1, -1, -1, 0});
+}
+
+/// Sums over the contacts of a grain; fourth lanes are 0.
 struct alignas(64) PullRow {
   Four force;
   Four moment;  ///< sum of n x F_t

@@ -118,15 +118,11 @@ class ColumnStepper {
   Four field_row(long step) const { return Four{0, 0, physics_.field_at(step), 0}; }
 
   static Four acceleration(const OwnRow& own, const PullRow& pull, const Four& field) {
-    Four a = own.half_velocity[3] * pull.force + field;
-    a[3] = 0;
-    return a;
+    return own.half_velocity[3] * pull.force + field;
   }
   /// a d(omega)/dt = -(a^2/I) sum of n x F_t.
   static Four rim_acceleration(const OwnRow& own, const PullRow& pull) {
-    Four b = -own.half_rim[3] * pull.moment;
-    b[3] = 0;
-    return b;
+    return -own.half_rim[3] * pull.moment;
   }
 
   void take_up_spill() {
@@ -189,16 +185,14 @@ class ColumnStepper {
       PullRow& pull = all_pull[i];
       const Four a = acceleration(own, pull, field);
       own.half_velocity += dt * a;
-      Four v = own.half_velocity;
-      v[3] = 0;
+      const Four v = three_of(own.half_velocity);
       seen.position += dt * v;
       seen.velocity = v + ahead * a;
       pull.force = Four{};
       if constexpr (Physics::turns_grains) {
         const Four b = rim_acceleration(own, pull);
         own.half_rim += dt * b;
-        Four s = own.half_rim;
-        s[3] = 0;
+        const Four s = three_of(own.half_rim);
         seen.rim_velocity = s + ahead * b;
         pull.moment = Four{};
       }
