@@ -134,8 +134,8 @@ class ColumnRun {
   }
 
   std::string checkpoint_name() const {
-    return "checkpoint by blocks, physics version " + std::to_string(physics_version) + "\n" +
-           canonical_yaml(scene_);
+    return "checkpoint by blocks, half rows, physics version " + std::to_string(physics_version) +
+           "\n" + canonical_yaml(scene_);
   }
 
   template <class Archive>

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <experimental/simd>
 
 namespace shakebed::simulator {
@@ -21,6 +22,19 @@ inline Lanes load_lanes(const double* from) {
 }
 inline void store_lanes(double* to, const Lanes& lanes) {
   lanes.copy_to(to, std::experimental::element_aligned);
+}
+
+/// Puts value_of(q) of each lane q that is set at `out`, in rising order, and gives the place
+/// behind the last; writes up to lane_count places. Without branches, as which lanes are set is
+/// anybody's guess.
+template <class ValueOf>
+[[gnu::always_inline]] inline std::uint32_t* put_set_lanes(const LaneMask& set, ValueOf value_of,
+                                                           std::uint32_t* out) {
+  for (std::size_t q = 0; q < lane_count; ++q) {
+    *out = value_of(q);
+    out += set[q] ? 1 : 0;
+  }
+  return out;
 }
 
 /// min(a, b); a where b is not a number.

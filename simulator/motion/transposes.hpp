@@ -67,6 +67,32 @@ template <class Simd>
   }
 }
 
+/// Of rows in pairs, each in one register, components c and c + 2 of either half.
+template <class Simd>
+[[gnu::always_inline]] inline void columns_of_pairs(const Eight* pair, Simd* out) {
+  const Eight a = __builtin_shufflevector(pair[0], pair[1], 0, 1, 8, 9, 4, 5, 12, 13);
+  const Eight b = __builtin_shufflevector(pair[2], pair[3], 0, 1, 8, 9, 4, 5, 12, 13);
+  const Eight c = __builtin_shufflevector(pair[0], pair[1], 2, 3, 10, 11, 6, 7, 14, 15);
+  const Eight e = __builtin_shufflevector(pair[2], pair[3], 2, 3, 10, 11, 6, 7, 14, 15);
+  out[0] = Simd(__builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11));
+  out[2] = Simd(__builtin_shufflevector(c, e, 0, 1, 2, 3, 8, 9, 10, 11));
+  out[4] = Simd(__builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15));
+  out[6] = Simd(__builtin_shufflevector(c, e, 4, 5, 6, 7, 12, 13, 14, 15));
+}
+
+/// The same of rows of eight, for eight lanes.
+template <class Simd>
+[[gnu::always_inline]] inline void transpose_rows(const Eight* d, Simd* out) {
+  static_assert(Simd::size() == 8);
+  Eight even[4], odd[4];  // components of two rows
+  for (std::size_t k = 0; k < 4; ++k) {
+    even[k] = __builtin_shufflevector(d[2 * k], d[2 * k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    odd[k] = __builtin_shufflevector(d[2 * k], d[2 * k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  columns_of_pairs(even, out);
+  columns_of_pairs(odd, out + 1);
+}
+
 /// The way back: lane k of in[c] becomes component c of row k.
 template <class Simd>
 [[gnu::always_inline]] inline void transpose_lanes(const Simd* in, Four* d) {
@@ -104,6 +130,17 @@ template <class Simd>
     for (std::size_t k = 0; k < Simd::size(); ++k)
       d[k] = Four{in[0][k], in[1][k], in[2][k], in[3][k]};
   }
+}
+
+/// The same to rows of eight: the transpose of a square is its own way back.
+template <class Simd>
+[[gnu::always_inline]] inline void transpose_lanes(const Simd* in, Eight* d) {
+  static_assert(Simd::size() == 8);
+  Eight columns[8];
+  for (std::size_t c = 0; c < 8; ++c) columns[c] = static_cast<Eight>(in[c]);
+  Simd rows[8];
+  transpose_rows(columns, rows);
+  for (std::size_t k = 0; k < 8; ++k) d[k] = static_cast<Eight>(rows[k]);
 }
 
 /// The same to rows of two.

@@ -32,7 +32,7 @@ Pairs all_within(const RowStore& rows, double skin) {
   Pairs found;
   for (std::uint32_t i = 0; i < rows.count(); ++i) {
     for (std::uint32_t j = i + 1; j < rows.count(); ++j) {
-      const Four r = rows.seen[i].position - rows.seen[j].position;
+      const Four r = rows.position[i] - rows.position[j];
       const double reach = rows.radius[i] + rows.radius[j] + skin;
       if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < reach * reach) found.emplace(i, j);
     }

@@ -41,7 +41,7 @@ template <class Memory, class List>
   return {chosen(mask, a.x, none), chosen(mask, a.y, none), chosen(mask, a.z, none)};
 }
 
-inline std::size_t touching_count(const LaneMask& mask) {
+[[gnu::always_inline]] inline std::size_t touching_count(const LaneMask& mask) {
   return static_cast<std::size_t>(std::experimental::popcount(mask));
 }
 
@@ -58,20 +58,28 @@ struct PassResult {
 
 /// Relative motion of the vector of pairs that begins at `k`.
 template <class Law, class List>
-[[gnu::always_inline]] inline void gather_pairs(const SeenRow* seen, const List& list,
+[[gnu::always_inline]] inline void gather_pairs(const RowStore& rows, const List& list,
                                                 std::size_t k, ContactState<Lanes>& c) {
+  using Vectors = RowVectors<Law::turns_grains>;
+  using Part = typename Vectors::Part;
   const std::uint32_t* i = list.i() + k;
   const std::uint32_t* j = list.j() + k;
-  Four x[lane_count], v[lane_count], s[lane_count];
+  const Four* place = rows.position.data();
+  const MotionRow* motion = rows.motion.data();
+  Four x[lane_count];
+  typename Vectors::Parts relative;
   for (std::size_t q = 0; q < lane_count; ++q) {
-    x[q] = seen[i[q]].position - seen[j[q]].position;
-    v[q] = seen[i[q]].velocity - seen[j[q]].velocity;
-    if constexpr (Law::turns_grains) s[q] = seen[i[q]].rim_velocity + seen[j[q]].rim_velocity;
+    x[q] = place[i[q]] - place[j[q]];
+    for (std::size_t p = 0; p < Vectors::parts; ++p) {
+      relative[p][q] =
+          with_other(p, part_of<Part>(motion[i[q]], p), part_of<Part>(motion[j[q]], p));
+    }
   }
-  LaneTriple r;
-  transpose_rows(x, r);
-  transpose_rows(v, c.velocity);
-  if constexpr (Law::turns_grains) transpose_rows(s, c.rim_velocity);
+  const LaneTriple r = transposed(x);
+  Vectors vectors;
+  vectors.take(relative);
+  c.velocity = vectors.centre;
+  c.rim_velocity = vectors.rim;
   const Lanes distance = std::experimental::sqrt(dot(r, r));
   c.size = load_lanes(list.contact_size() + k);
   c.effective_mass = load_lanes(list.effective_mass() + k);
@@ -82,21 +90,18 @@ template <class Law, class List>
 /// Adds the forces on the vector of pairs that begins at `k`, and their reactions.
 template <class Law, class List>
 [[gnu::always_inline]] inline void scatter_pairs(PullRow* pull, const List& list, std::size_t k,
-                                                 const LaneTriple& on_i,
-                                                 const LaneTriple& turning) {
+                                                 const RowVectors<Law::turns_grains>& on_i) {
+  using Vectors = RowVectors<Law::turns_grains>;
+  using Part = typename Vectors::Part;
   const std::uint32_t* i = list.i() + k;
   const std::uint32_t* j = list.j() + k;
-  Four force[lane_count], moment[lane_count];
-  transpose_lanes(on_i, force);
-  if constexpr (Law::turns_grains) transpose_lanes(turning, moment);
+  typename Vectors::Parts pulls;
+  on_i.give(pulls);
   for (std::size_t q = 0; q < lane_count; ++q) {
-    PullRow& a = pull[i[q]];
-    PullRow& b = pull[j[q]];
-    a.force += force[q];
-    b.force -= force[q];
-    if constexpr (Law::turns_grains) {
-      a.moment += moment[q];
-      b.moment += moment[q];
+    for (std::size_t p = 0; p < Vectors::parts; ++p) {
+      const Part& one = pulls[p][q];
+      set_part<Part>(pull[i[q]], p, part_of<Part>(pull[i[q]], p) + one);
+      set_part<Part>(pull[j[q]], p, with_other(p, part_of<Part>(pull[j[q]], p), one));
     }
   }
 }
@@ -112,13 +117,12 @@ PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, PullRow
   constexpr std::size_t together = 4;
   PassResult result;
   const std::size_t n = list.size();
-  const SeenRow* seen = rows.seen.data();
   ContactState<Lanes> contacts[together];
-  LaneTriple force[together], moment[together];
+  RowVectors<Law::turns_grains> pulls[together];
   for (std::size_t first = 0; first < n; first += together * lane_count) {
     const std::size_t vectors = std::min(together, (n - first + lane_count - 1) / lane_count);
     for (std::size_t b = 0; b < vectors; ++b) {
-      gather_pairs<Law>(seen, list, first + b * lane_count, contacts[b]);
+      gather_pairs<Law>(rows, list, first + b * lane_count, contacts[b]);
     }
     for (std::size_t b = 0; b < vectors; ++b) {
       const std::size_t k = first + b * lane_count;
@@ -128,15 +132,15 @@ PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, PullRow
       const SpringForce<Lanes> f = law(c, memory, dt);
       store_memory(list.memory_columns_of(), k, memory, touching);
       result.count(touching, c.overlap);
-      force[b] = chosen(touching, f.force);
-      if constexpr (Law::turns_grains) moment[b] = chosen(touching, f.moment);
+      pulls[b].centre = chosen(touching, f.force);
+      if constexpr (Law::turns_grains) pulls[b].rim = chosen(touching, f.moment);
       if (touching_count(touching) == lane_count) continue;
       for (std::size_t q = 0; q < lane_count && k + q < n; ++q) {
         if (!touching[q]) ended.push_back(static_cast<std::uint32_t>(k + q));
       }
     }
     for (std::size_t b = 0; b < vectors; ++b) {
-      scatter_pairs<Law>(pull, list, first + b * lane_count, force[b], moment[b]);
+      scatter_pairs<Law>(pull, list, first + b * lane_count, pulls[b]);
     }
   }
   return result;
@@ -146,14 +150,13 @@ PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, PullRow
 template <class List>
 void find_begun(const RowStore& rows, const List& list, std::vector<std::uint32_t>& begun) {
   const std::size_t n = list.size();
-  const SeenRow* seen = rows.seen.data();
+  const Four* place = rows.position.data();
   for (std::size_t k = 0; k < n; k += lane_count) {
     Four x[lane_count];
     for (std::size_t q = 0; q < lane_count; ++q) {
-      x[q] = seen[list.i()[k + q]].position - seen[list.j()[k + q]].position;
+      x[q] = place[list.i()[k + q]] - place[list.j()[k + q]];
     }
-    LaneTriple r;
-    transpose_rows(x, r);
+    const LaneTriple r = transposed(x);
     const Lanes size = load_lanes(list.contact_size() + k);
     const LaneMask near = dot(r, r) < size * size;
     if (std::experimental::none_of(near)) continue;
@@ -168,39 +171,48 @@ void find_begun(const RowStore& rows, const List& list, std::vector<std::uint32_
 template <class LaneMemory, class Law, class List, class Meet>
 PassResult touch_wall(const Law& law, const RowStore& rows, List& list, PullRow* pull,
                       double wall_velocity, double dt, Meet meet) {
+  using Vectors = RowVectors<Law::turns_grains>;
+  using Part = typename Vectors::Part;
   PassResult result;
-  const SeenRow* seen = rows.seen.data();
   for (std::size_t k = 0; k < list.size; k += lane_count) {
     const std::uint32_t* i = list.row.data() + k;
-    Four x[lane_count], v[lane_count], s[lane_count];
+    Four x[lane_count];
+    typename Vectors::Parts motion;
     for (std::size_t q = 0; q < lane_count; ++q) {
-      x[q] = seen[i[q]].position;
-      v[q] = seen[i[q]].velocity;
-      if constexpr (Law::turns_grains) s[q] = seen[i[q]].rim_velocity;
+      x[q] = rows.position[i[q]];
+      for (std::size_t p = 0; p < Vectors::parts; ++p) {
+        motion[p][q] = part_of<Part>(rows.motion[i[q]], p);
+      }
     }
-    LaneTriple r;
+    const LaneTriple r = transposed(x);
+    Vectors vectors;
+    vectors.take(motion);
     ContactState<Lanes> c;
-    transpose_rows(x, r);
-    transpose_rows(v, c.velocity);
-    if constexpr (Law::turns_grains) transpose_rows(s, c.rim_velocity);
+    c.velocity = vectors.centre;
+    c.rim_velocity = vectors.rim;
     c.velocity.z -= Lanes(wall_velocity);
     const Lanes radius = load_lanes(list.radius.data() + k);
     c.size = Lanes(2.0) * radius;
     c.effective_mass = load_lanes(list.mass.data() + k);
     meet(r, radius, c);
     const LaneMask touching = c.overlap > Lanes(0.0) && radius > Lanes(0.0);
+    if (std::experimental::none_of(touching)) {
+      store_memory(list.memory, k, LaneMemory{}, touching);
+      continue;
+    }
 
     auto memory = load_memory<LaneMemory>(list.memory, k);
     const SpringForce<Lanes> f = law(c, memory, dt);
     store_memory(list.memory, k, memory, touching);
     result.count(touching, chosen(touching, c.overlap, Lanes(0.0)));
 
-    Four force[lane_count], moment[lane_count];
-    transpose_lanes(chosen(touching, f.force), force);
-    if constexpr (Law::turns_grains) transpose_lanes(chosen(touching, f.moment), moment);
+    vectors.centre = chosen(touching, f.force);
+    if constexpr (Law::turns_grains) vectors.rim = chosen(touching, f.moment);
+    vectors.give(motion);
     for (std::size_t q = 0; q < lane_count; ++q) {
-      pull[i[q]].force += force[q];
-      if constexpr (Law::turns_grains) pull[i[q]].moment += moment[q];
+      for (std::size_t p = 0; p < Vectors::parts; ++p) {
+        set_part<Part>(pull[i[q]], p, part_of<Part>(pull[i[q]], p) + motion[p][q]);
+      }
     }
   }
   return result;

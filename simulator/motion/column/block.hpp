@@ -33,7 +33,9 @@ struct ColumnBlock {
   long touching_walls = 0;
 
   std::vector<std::uint32_t> broke_promise;  ///< rows, at this step
-  std::vector<std::uint32_t> found;          ///< outer pairs to be listed
+  MeetingPairs meeting;                      ///< outer pairs of the part, at a window's beginning
+  std::vector<std::uint32_t> asked;          ///< outer pairs that broken promises are about
+  std::vector<std::uint32_t> found;          ///< of these, those to be listed
   bool outer_too_short = false;              ///< the outer list does not reach as far as promised
   double sum_velocity = 0;                   ///< vertical, over its rows
   double sum_drift = 0;

@@ -21,6 +21,11 @@ class BlockCuts {
   std::uint32_t end(std::size_t block) const { return begin(block + 1); }
   std::size_t block_of(std::uint32_t row) const { return row * count_ / rows_; }
 
+  /// Rows below this one are the block's own or those of the next one.
+  std::uint32_t end_of_next(std::size_t block) const {
+    return end(std::min(block + 1, count_ - 1));
+  }
+
   /// The block that reckons with a pair: the lower one of two neighbours; count() when the rows are
   /// farther apart.
   std::size_t home_of(std::uint32_t i, std::uint32_t j) const {

@@ -135,7 +135,8 @@ class ColumnBlocks {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(rows.seen);
+    a(rows.position);
+    a(rows.motion);
     a(rows.own);
     for (auto& one : rows.pull) a(one);
     a(rows.radius);

@@ -11,10 +11,10 @@
 namespace shakebed::simulator {
 
 inline SeenGrain seen_grain(const RowStore& rows, std::uint32_t row) {
-  const auto& seen = rows.seen[row];
+  const MotionRow& motion = rows.motion[row];
   const auto triple = [](const Four& f) { return Triple<double>{f[0], f[1], f[2]}; };
-  return {triple(seen.position), triple(seen.velocity), triple(seen.rim_velocity), rows.radius[row],
-          rows.mass[row]};
+  return {triple(rows.position[row]), triple(motion.velocity), triple(motion.rim_velocity),
+          rows.radius[row], rows.mass[row]};
 }
 
 inline std::int32_t grain_of(const RowStore& rows, std::uint32_t row) {

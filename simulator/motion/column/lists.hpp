@@ -32,7 +32,7 @@ class ColumnLists {
         physics_(physics),
         outer_(physics.cylinder.radius, blocks.cuts),
         held_(held),
-        promises_(rows().seen.size()),
+        promises_(rows().position.size()),
         free_(rows().count(), physics.time_step, physics.gravity, physics.prediction()),
         busy_(rows().count(), false),
         busy_from_below_(rows().count(), false) {
@@ -52,10 +52,9 @@ class ColumnLists {
 
   Promises& promises() { return promises_; }
 
-  /// The row as it is at `step`, also when it was left to fly.
-  void look(std::uint32_t i, long step, SeenRow& seen, OwnRow& own) const {
-    free_.look(rows(), i, step, seen, own);
-  }
+  /// Where the row is and how it moves at `step`, also when it was left to fly.
+  Four place(std::uint32_t i, long step) const { return free_.place(rows(), i, step); }
+  OwnRow look(std::uint32_t i, long step) const { return free_.look(rows(), i, step); }
 
   /// Closes the present window and opens the next one.
   void open_next_window(long step) {
@@ -80,6 +79,7 @@ class ColumnLists {
   /// Finds what those rows of a block that broke their promises on the way to `step`, and have made
   /// wider ones, can reach. Reads of other blocks what nobody writes meanwhile.
   void look_around(Block& block, long step) {
+    block.asked.clear();
     block.found.clear();
     const double left = left_at(step);
     const BaseState base = physics_.base_at(step);
@@ -88,15 +88,13 @@ class ColumnLists {
         block.outer_too_short = true;
       }
       outer_.for_pairs_of(i, [&](std::uint32_t k) {
-        if (pair_stamp_[k] == window_) return;
-        const auto j = outer_.i()[k] == i ? outer_.j()[k] : outer_.i()[k];
-        SeenRow other;
-        OwnRow unused;
-        look(j, step, other, unused);
-        const Four r = rows().seen[i].position - other.position;
-        if (promises_.let_meet(i, j, r, outer_.contact_size()[k], left)) block.found.push_back(k);
+        if (pair_stamp_[k] != window_) block.asked.push_back(k);
       });
       block.walls.list(rows(), i, physics_, base, window_, {left, promises_});
+    }
+    for (std::size_t n = 0; n < block.asked.size(); n += lane_count) {
+      find_meeting(&block.asked[n], std::min(lane_count, block.asked.size() - n), step,
+                   block.found);
     }
   }
 
@@ -143,6 +141,26 @@ class ColumnLists {
   }
   double whole_window() const { return static_cast<double>(window_steps + 1) * physics_.time_step; }
 
+  /// Of the first `count` numbers of outer pairs, those that may meet are found.
+  void find_meeting(const std::uint32_t* pairs, std::size_t count, long step,
+                    std::vector<std::uint32_t>& found) const {
+    std::uint32_t i[lane_count], j[lane_count];
+    Four x[lane_count];
+    alignas(64) double size[lane_count];
+    for (std::size_t q = 0; q < lane_count; ++q) {
+      const std::uint32_t k = pairs[std::min(q, count - 1)];
+      i[q] = outer_.i()[k];
+      j[q] = outer_.j()[k];
+      x[q] = place(i[q], step) - place(j[q], step);
+      size[q] = outer_.contact_size()[k];
+    }
+    const LaneMask meet = promises_.let_meet(i, j, transposed(x), load_lanes(size), left_at(step));
+    if (std::experimental::none_of(meet)) return;
+    for (std::size_t q = 0; q < count; ++q) {
+      if (meet[q]) found.push_back(pairs[q]);
+    }
+  }
+
   void wake(std::uint32_t i, long step) {
     if (!free_.flies(i)) return;
     free_.land(rows(), i, step);
@@ -157,7 +175,7 @@ class ColumnLists {
 
   /// How far row i has come since the outer list was built, apart from the bed's own drift.
   double moved_since_build(std::uint32_t i, long step) const {
-    Four moved = rows().seen[i].position - outer_.built_at()[i];
+    Four moved = rows().position[i] - outer_.built_at()[i];
     moved[2] -=
         drift_ + static_cast<double>(step - window_begin_) * physics_.time_step * bed_velocity;
     return length(moved);
@@ -177,7 +195,7 @@ class ColumnLists {
       block.sum_velocity = block.sum_drift = 0;
       for (std::uint32_t i = block.begin; i < block.end; ++i) {
         block.sum_velocity += rows().own[i].half_velocity[2];
-        block.sum_drift += rows().seen[i].position[2] - outer_.built_at()[i][2];
+        block.sum_drift += rows().position[i][2] - outer_.built_at()[i][2];
       }
     });
     blocks.share([&](Block& block, std::size_t) { note_contacts(block); });
@@ -263,15 +281,15 @@ class ColumnLists {
       be_busy(block.touching.j()[k]);
     }
     block.candidates.clear();
-    find_meeting(rows(), promises_, outer_, outer_.begin(part), outer_.end(part), whole_window(),
-                 block.found);
-    for (const auto k : block.found) {
+    auto& meeting = block.meeting;
+    meeting.find(rows(), promises_, outer_, outer_.begin(part), outer_.end(part), whole_window());
+    for (const auto k : meeting.touching) pair_stamp_[k] = window_;
+    for (const auto k : meeting.apart) {
       pair_stamp_[k] = window_;
       be_busy(outer_.i()[k]);
       be_busy(outer_.j()[k]);
-      if (!outer_.overlaps(rows(), k)) list_candidate(block, k);
+      list_candidate(block, k);
     }
-    block.found.clear();
   }
 
   void choose_active(Block& block, long step) {

@@ -30,7 +30,7 @@ class NearSearch {
     begin_.assign(strips + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
       if (!wanted(i)) continue;
-      strip_of_[i] = strip_at(rows.seen[i].position);
+      strip_of_[i] = strip_at(rows.position[i]);
       ++begin_[strip_of_[i] + 1];
     }
     // Behind each strip a vector's width of rows that are near nothing.
@@ -44,7 +44,7 @@ class NearSearch {
       if (strip_of_[i] == nowhere) continue;
       const std::size_t k = next[strip_of_[i]]++;
       row_[k] = static_cast<std::uint32_t>(i);
-      for (int c = 0; c < 3; ++c) position_[c][k] = rows.seen[i].position[c];
+      for (int c = 0; c < 3; ++c) position_[c][k] = rows.position[i][c];
       radius_[k] = rows.radius[i];
     }
   }
@@ -53,20 +53,23 @@ class NearSearch {
   using Cursor = std::vector<std::size_t>;
   Cursor cursor() const { return {begin_.begin(), begin_.end() - 1}; }
 
-  /// Gives `visit(j)` each row j > i that was taken up and lies within a_i + a_j + skin of row i.
-  /// To be asked with one cursor for rows i in rising order.
-  template <class Visit>
-  void for_near_above(const RowStore& rows, std::uint32_t i, double skin, Cursor& cursor,
-                      Visit visit) const {
-    if (strip_of_[i] == nowhere) return;
+  /// Room for the rows near any one.
+  std::size_t room() const { return row_.size() + lane_count; }
+
+  /// Puts the rows j > i that were taken up and lie within a_i + a_j + skin of row i at `near`, and
+  /// gives the place behind the last. To be asked with one cursor for rows i in rising order.
+  std::uint32_t* find_near_above(const RowStore& rows, std::uint32_t i, double skin, Cursor& cursor,
+                                 std::uint32_t* near) const {
+    if (strip_of_[i] == nowhere) return near;
     const std::size_t cx = strip_of_[i] / across_;
     const std::size_t cy = strip_of_[i] % across_;
     for (std::size_t sx = cx == 0 ? 0 : cx - 1; sx <= std::min(cx + 1, across_ - 1); ++sx) {
       for (std::size_t sy = cy == 0 ? 0 : cy - 1; sy <= std::min(cy + 1, across_ - 1); ++sy) {
         const std::size_t strip = sx * across_ + sy;
-        look_into(cursor[strip], rows.seen[i].position, rows.radius[i] + skin, i, visit);
+        near = look_into(cursor[strip], rows.position[i], rows.radius[i] + skin, i, near);
       }
     }
+    return near;
   }
 
  private:
@@ -82,21 +85,20 @@ class NearSearch {
     return static_cast<std::uint32_t>(index_of(x[0]) * across_ + index_of(x[1]));
   }
 
-  template <class Visit>
-  [[gnu::always_inline]] void look_into(std::size_t& first, const Four& x, double own_reach,
-                                        std::uint32_t i, Visit visit) const {
+  [[gnu::always_inline]] std::uint32_t* look_into(std::size_t& first, const Four& x,
+                                                  double own_reach, std::uint32_t i,
+                                                  std::uint32_t* near) const {
     while (row_[first] <= i) ++first;
     for (std::size_t k = first; position_[2][k] <= x[2] + reach_; k += lane_count) {
       const Lanes dx = load_lanes(&position_[0][k]) - Lanes(x[0]);
       const Lanes dy = load_lanes(&position_[1][k]) - Lanes(x[1]);
       const Lanes dz = load_lanes(&position_[2][k]) - Lanes(x[2]);
       const Lanes reach = load_lanes(&radius_[k]) + Lanes(own_reach);
-      const LaneMask near = dx * dx + dy * dy + dz * dz < reach * reach;
-      if (std::experimental::none_of(near)) continue;
-      for (std::size_t q = 0; q < lane_count; ++q) {
-        if (near[q]) visit(row_[k + q]);
-      }
+      near = put_set_lanes(
+          dx * dx + dy * dy + dz * dz < reach * reach, [&](std::size_t q) { return row_[k + q]; },
+          near);
     }
+    return near;
   }
 
   double disc_radius_;

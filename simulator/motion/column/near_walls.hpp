@@ -82,7 +82,7 @@ class NearWalls {
   /// Lists row i under the walls that it can reach, the base being as it is `now`.
   void list(const RowStore& rows, std::uint32_t i, const Physics& physics, const BaseState& now,
             long window, const Outlook& outlook) {
-    const auto& x = rows.seen[i].position;
+    const auto& x = rows.position[i];
     const auto& v = rows.own[i].half_velocity;
     const double left = outlook.left;
     const double width = outlook.promises.width(i);

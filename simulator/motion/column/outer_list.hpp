@@ -39,7 +39,7 @@ class OuterList {
   const std::vector<Four>& built_at() const { return built_at_; }
 
   bool overlaps(const RowStore& rows, std::size_t k) const {
-    const Four r = rows.seen[i_[k]].position - rows.seen[j_[k]].position;
+    const Four r = rows.position[i_[k]] - rows.position[j_[k]];
     return contact_size_[k] - std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) > 0;
   }
 
@@ -83,7 +83,7 @@ class OuterList {
     }
     of_rows_.list(n, size(), [&](std::size_t k) { return std::pair{i_[k], j_[k]}; });
     built_at_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) built_at_[i] = rows.seen[i].position;
+    for (std::size_t i = 0; i < n; ++i) built_at_[i] = rows.position[i];
   }
 
   template <class Archive>
@@ -111,17 +111,21 @@ class OuterList {
     near_[part].clear();
     far_[part].clear();
     auto cursor = search_.cursor();
+    std::vector<std::uint32_t> above(search_.room());
+    const std::uint32_t near_end = cuts_.end_of_next(part);
     for (std::uint32_t i = cuts_.begin(part); i < cuts_.end(part); ++i) {
-      search_.for_near_above(rows, i, skin_, cursor, [&](std::uint32_t j) {
-        (cuts_.home_of(i, j) == part ? near_ : far_)[part].push_back({i, j});
-      });
+      const std::uint32_t* past_last =
+          search_.find_near_above(rows, i, skin_, cursor, above.data());
+      for (const std::uint32_t* j = above.data(); j != past_last; ++j) {
+        (*j < near_end ? near_ : far_)[part].push_back({i, *j});
+      }
     }
   }
 
   void pair_with_all(const RowStore& rows, std::uint32_t i, std::vector<Pair>& found) const {
     for (std::uint32_t j = 0; j < rows.count(); ++j) {
       if (j == i || (is_large(rows.radius[j]) && j < i)) continue;
-      const Four r = rows.seen[i].position - rows.seen[j].position;
+      const Four r = rows.position[i] - rows.position[j];
       const double reach = rows.radius[i] + rows.radius[j] + skin_;
       if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < reach * reach) found.push_back({i, j});
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <experimental/simd>
+#include <limits>
 #include <vector>
 
 #include "simulator/motion/column/outer_list.hpp"
@@ -13,14 +14,11 @@
 namespace shakebed::simulator {
 
 /// What a row promises for a window: that its velocity is, but for what the common field adds, the
-/// one in the first three lanes, give or take the width in the fourth. Single precision serves:
-/// whether a promise is kept is asked of these very numbers.
-using Promise = float __attribute__((vector_size(16)));
+/// one in the first three lanes, give or take the width in the fourth.
+using Promise = Four;
 
 inline Promise make_promise(const Four& velocity, double width) {
-  Four wide = velocity;
-  wide[3] = width;
-  return __builtin_convertvector(wide, Promise);
+  return Promise{velocity[0], velocity[1], velocity[2], width};
 }
 
 inline double length(const Four& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
@@ -34,8 +32,7 @@ class Promises {
   static constexpr double width_share = 1;     // of the speed at which its contacts close, ...
   static constexpr double width_least = 0.05;  // ... and [sqrt(g d)] more
 
-  const Promise* data() const { return of_.data(); }
-  double width(std::uint32_t i) const { return static_cast<double>(of_[i][3]); }
+  double width(std::uint32_t i) const { return of_[i][3]; }
 
   /// A new window: nothing has fallen, and rows of [begin, end) know of no contacts yet.
   void begin_window() { fallen_ = Four{}; }
@@ -61,27 +58,33 @@ class Promises {
 
   const Four& fallen() const { return fallen_; }
 
-  /// Whether row i has another velocity than promised, `velocity` being less what has fallen.
-  bool broken(std::uint32_t i, const Four& velocity) const {
-    const Four promised = __builtin_convertvector(of_[i], Four);
-    const Four off = velocity - promised;
-    const Four square = off * off;
-    return square[0] + square[1] + square[2] > promised[3] * promised[3];
+  /// How far off its promise row i is, and in the fourth lane how far it may be; `velocity` less
+  /// what has fallen, with 0 in its fourth lane.
+  [[gnu::always_inline]] Four off(std::uint32_t i, const Four& velocity) const {
+    return velocity - of_[i];
+  }
+  /// Which of a vector's rows have another velocity than promised.
+  [[gnu::always_inline]] static LaneMask broken(const Four* off) {
+    Lanes column[4];
+    transpose_rows(off, column);
+    for (auto& one : column) one *= one;
+    return column[0] + column[1] + column[2] > column[3];
   }
   /// A wider promise from now on.
   void renew(const RowStore& rows, std::uint32_t i) {
     of_[i] = make_promise(rows.own[i].half_velocity - fallen_, 2 * width(i) + width_least);
   }
 
-  /// Whether rows i and j, r apart, may meet within `left`.
-  bool let_meet(std::uint32_t i, std::uint32_t j, const Four& r, double size, double left) const {
-    const Four a = __builtin_convertvector(of_[i], Four);
-    const Four b = __builtin_convertvector(of_[j], Four);
-    const Four w = a - b;
-    const auto dot3 = [](const Four& p, const Four& q) {
-      return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-    };
-    return may_meet(dot3(r, r), dot3(r, w), dot3(w, w), size, a[3] + b[3], left);
+  /// Which of a vector of pairs, r apart, may meet within `left`.
+  [[gnu::always_inline]] LaneMask let_meet(const std::uint32_t* i, const std::uint32_t* j,
+                                           const LaneTriple& r, const Lanes& size,
+                                           double left) const {
+    Four apart[lane_count];
+    for (std::size_t q = 0; q < lane_count; ++q) apart[q] = width_added(of_[i[q]], of_[j[q]]);
+    Lanes w[4];
+    transpose_rows(apart, w);
+    const LaneTriple velocity{w[0], w[1], w[2]};
+    return may_meet(dot(r, r), dot(r, velocity), dot(velocity, velocity), size, w[3], left);
   }
 
   template <class Archive>
@@ -91,41 +94,57 @@ class Promises {
   }
 
  private:
+  /// a - b, but for the fourth lane: there a + b.
+  [[gnu::always_inline]] static Four width_added(const Four& a, const Four& b) {
+    constexpr auto sign = std::numeric_limits<long long>::min();
+    return a +
+           reinterpret_cast<Four>(reinterpret_cast<FourBits>(b) ^ FourBits{sign, sign, sign, 0});
+  }
+
   std::vector<Promise> of_;
   std::vector<double> width_;
   std::vector<double> width_from_below_;  ///< what contacts say that the block below reckons with
   Four fallen_{};  ///< what the common field added to velocities since the beginning
 };
 
-/// Numbers of the pairs [begin, end) of `list` that may meet within `left`, in rising order.
-inline void find_meeting(const RowStore& rows, const Promises& promises, const OuterList& list,
-                         std::size_t begin, std::size_t end, double left,
-                         std::vector<std::uint32_t>& found) {
-  found.clear();
-  const SeenRow* seen = rows.seen.data();
-  const Promise* promise = promises.data();
-  for (std::size_t k = begin; k < end; k += lane_count) {
-    Four x[lane_count], v[lane_count];
-    alignas(64) double width[lane_count];
-    for (std::size_t q = 0; q < lane_count; ++q) {
-      const std::uint32_t i = list.i()[k + q];
-      const std::uint32_t j = list.j()[k + q];
-      const Four a = __builtin_convertvector(promise[i], Four);
-      const Four b = __builtin_convertvector(promise[j], Four);
-      x[q] = seen[i].position - seen[j].position;
-      v[q] = a - b;
-      width[q] = a[3] + b[3];
+/// Numbers of the pairs [begin, end) of `list` that may meet within `left`, in rising order: those
+/// that touch already, and all others.
+struct MeetingPairs {
+  std::vector<std::uint32_t> touching;
+  std::vector<std::uint32_t> apart;
+
+  void find(const RowStore& rows, const Promises& promises, const OuterList& list,
+            std::size_t begin, std::size_t end, double left) {
+    touching.resize(end - begin + lane_count);
+    apart.resize(end - begin + lane_count);
+    std::uint32_t* next_touching = touching.data();
+    std::uint32_t* next_apart = apart.data();
+    const Four* place = rows.position.data();
+    for (std::size_t k = begin; k < end; k += lane_count) {
+      const std::uint32_t* i = list.i() + k;
+      const std::uint32_t* j = list.j() + k;
+      Four x[lane_count];
+      for (std::size_t q = 0; q < lane_count; ++q) x[q] = place[i[q]] - place[j[q]];
+      const LaneTriple r = transposed(x);
+      const Lanes size = load_lanes(list.contact_size() + k);
+      const LaneMask meet = promises.let_meet(i, j, r, size, left);
+      const LaneMask touch = size - std::experimental::sqrt(dot(r, r)) > Lanes(0.0);
+      const auto number = [&](std::size_t q) { return static_cast<std::uint32_t>(k + q); };
+      next_touching = put_set_lanes(touch, number, next_touching);
+      next_apart = put_set_lanes(meet && !touch, number, next_apart);
     }
-    LaneTriple r, w;
-    transpose_rows(x, r);
-    transpose_rows(v, w);
-    const LaneMask meet = may_meet(dot(r, r), dot(r, w), dot(w, w),
-                                   load_lanes(list.contact_size() + k), load_lanes(width), left);
-    if (std::experimental::none_of(meet)) continue;
-    for (std::size_t q = 0; q < lane_count && k + q < end; ++q) {
-      if (meet[q]) found.push_back(static_cast<std::uint32_t>(k + q));
-    }
+    cut(touching, next_touching, end);
+    cut(apart, next_apart, end);
   }
-}
+
+ private:
+  /// Leaves what stands before `past_last` and is below `end`: the last vector reaches farther.
+  static void cut(std::vector<std::uint32_t>& found, const std::uint32_t* past_last,
+                  std::size_t end) {
+    auto count = static_cast<std::size_t>(past_last - found.data());
+    while (count > 0 && found[count - 1] >= end) --count;
+    found.resize(count);
+  }
+};
 
 }  // namespace shakebed::simulator

@@ -15,7 +15,8 @@ namespace shakebed::simulator {
 /// in memory. Behind them stand pairs of rows, far apart, that fill up SIMD vectors and touch
 /// nothing: one for each list that is worked on at the same time as others.
 struct RowStore {
-  std::vector<SeenRow> seen;
+  std::vector<Four> position;  ///< at step n; fourth lanes are 0
+  std::vector<MotionRow> motion;
   std::vector<OwnRow> own;
   /// Blocks of rows write to one of these in turns, those of their own rows and those of rows of
   /// the next block, whose own are in the other.
@@ -38,7 +39,8 @@ struct RowStore {
   explicit RowStore(const SizedGrains& start, std::size_t padded_lists = 1) {
     const std::size_t n = start.count();
     const std::size_t room = n + 2 * padded_lists;
-    seen.assign(room, SeenRow{});
+    position.assign(room, Four{});
+    motion.assign(room, MotionRow{});
     own.assign(room, OwnRow{});
     for (auto& one : pull) one.assign(room, PullRow{});
     radius = start.radius;
@@ -46,16 +48,16 @@ struct RowStore {
     grain.resize(n);
     std::iota(grain.begin(), grain.end(), 0U);
     constexpr double far_away = 1e6;
-    for (std::size_t k = n + 1; k < room; k += 2) seen[k].position[0] = far_away;
+    for (std::size_t k = n + 1; k < room; k += 2) position[k][0] = far_away;
     for (std::size_t i = 0; i < n; ++i) {
       const double inverse = 1 / mass[i];
       for (int c = 0; c < 3; ++c) {
-        seen[i].position[c] = start.position[c][i];
-        seen[i].velocity[c] = own[i].half_velocity[c] = start.velocity[c][i];
-        seen[i].rim_velocity[c] = own[i].half_rim[c] = radius[i] * start.spin[c][i];
+        position[i][c] = start.position[c][i];
+        motion[i].velocity[c] = own[i].half_velocity[c] = start.velocity[c][i];
+        motion[i].rim_velocity[c] = own[i].half_rim[c] = radius[i] * start.spin[c][i];
       }
       own[i].half_velocity[3] = inverse;
-      own[i].half_rim[3] = 2.5 * inverse;
+      own[i].half_rim[3] = -2.5 * inverse;
     }
   }
 
@@ -64,8 +66,8 @@ struct RowStore {
     std::vector<std::uint32_t> order(count());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const double za = seen[a].position[2];
-      const double zb = seen[b].position[2];
+      const double za = position[a][2];
+      const double zb = position[b][2];
       return za != zb ? za < zb : grain[a] < grain[b];
     });
     return order;
@@ -73,7 +75,8 @@ struct RowStore {
 
   /// Of the pulls, the first array.
   void reorder(const std::vector<std::uint32_t>& order) {
-    take(seen, order);
+    take(position, order);
+    take(motion, order);
     take(own, order);
     take(pull[0], order);
     take(radius, order);

@@ -36,8 +36,9 @@ class ColumnStepper {
     for (std::uint32_t i = 0; i < rows().count(); ++i) {
       auto& own = rows().own[i];
       const PullRow& pull = lists_.blocks.pull_of(i);
-      own.half_velocity -= h * acceleration(own, pull, field_row(step_));
-      own.half_rim -= h * rim_acceleration(own, pull);
+      const OwnRow change = accelerations(own, pull, field_row(step_));
+      own.half_velocity -= h * change.half_velocity;
+      own.half_rim -= h * change.half_rim;
     }
   }
 
@@ -75,18 +76,16 @@ class ColumnStepper {
   /// Positions, velocities and spins at the present step. Leaves the motion as it is.
   const SizedGrains& synchronised() {
     const double h = 0.5 * physics_.time_step;
-    const Four field = field_row(step_);
     for (std::uint32_t k = 0; k < rows().count(); ++k) {
-      SeenRow seen;
-      OwnRow own;
-      lists_.look(k, step_, seen, own);
-      const PullRow& pull = lists_.blocks.pull_of(k);
-      const Four v = own.half_velocity + h * acceleration(own, pull, field);
-      const Four s = own.half_rim + h * rim_acceleration(own, pull);
+      const Four place = lists_.place(k, step_);
+      const OwnRow own = lists_.look(k, step_);
+      const OwnRow change = accelerations(own, lists_.blocks.pull_of(k), field_row(step_));
+      const Four v = own.half_velocity + h * change.half_velocity;
+      const Four s = own.half_rim + h * change.half_rim;
       const std::size_t i = rows().grain[k];
       const double inverse = 1 / rows().radius[k];
       for (int c = 0; c < 3; ++c) {
-        state_.position[c][i] = seen.position[c];
+        state_.position[c][i] = place[c];
         state_.velocity[c][i] = v[c];
         state_.spin[c][i] = inverse * s[c];
       }
@@ -117,12 +116,15 @@ class ColumnStepper {
 
   Four field_row(long step) const { return Four{0, 0, physics_.field_at(step), 0}; }
 
-  static Four acceleration(const OwnRow& own, const PullRow& pull, const Four& field) {
-    return own.half_velocity[3] * pull.force + field;
+  /// dv/dt and a d(omega)/dt, part by part.
+  template <class Part>
+  [[gnu::always_inline]] static Part acceleration(const Part& half, const Part& pull,
+                                                  const Part& field) {
+    return fourths_of(half) * pull + field;
   }
-  /// a d(omega)/dt = -(a^2/I) sum of n x F_t.
-  static Four rim_acceleration(const OwnRow& own, const PullRow& pull) {
-    return -own.half_rim[3] * pull.moment;
+  static OwnRow accelerations(const OwnRow& own, const PullRow& pull, const Four& field) {
+    return {acceleration(own.half_velocity, pull.force, field),
+            acceleration(own.half_rim, pull.moment, Four{})};
   }
 
   void take_up_spill() {
@@ -171,34 +173,45 @@ class ColumnStepper {
   }
 
   void move_active(Block& block, const Four& field) {
+    using Part = RowPart<Physics::turns_grains>;
     const double dt = physics_.time_step;
     const double ahead = physics_.prediction();
     auto& promises = lists_.promises();
     const Four fallen = promises.fallen();
-    SeenRow* all_seen = rows().seen.data();
-    OwnRow* all_own = rows().own.data();
-    PullRow* all_pull = rows().pull[block.pull].data();
+    const OwnRow field_row{field, {}};
+    Four* places = rows().position.data();
+    MotionRow* motions = rows().motion.data();
+    OwnRow* owns = rows().own.data();
+    PullRow* pulls = rows().pull[block.pull].data();
     block.broke_promise.clear();
-    for (const auto i : block.active) {
-      SeenRow& seen = all_seen[i];
-      OwnRow& own = all_own[i];
-      PullRow& pull = all_pull[i];
-      const Four a = acceleration(own, pull, field);
-      own.half_velocity += dt * a;
-      const Four v = three_of(own.half_velocity);
-      seen.position += dt * v;
-      seen.velocity = v + ahead * a;
-      pull.force = Four{};
-      if constexpr (Physics::turns_grains) {
-        const Four b = rim_acceleration(own, pull);
-        own.half_rim += dt * b;
-        const Four s = three_of(own.half_rim);
-        seen.rim_velocity = s + ahead * b;
-        pull.moment = Four{};
+    const auto& active = block.active;
+    for (std::size_t first = 0; first < active.size(); first += lane_count) {
+      const std::size_t count = std::min(lane_count, active.size() - first);
+      Four off[lane_count] = {};
+      for (std::size_t q = 0; q < count; ++q) {
+        const std::uint32_t i = active[first + q];
+        Four v;
+        for (std::size_t p = 0; p < parts_of_row<Physics::turns_grains>; ++p) {
+          const auto half = part_of<Part>(owns[i], p);
+          const Part a =
+              acceleration(half, part_of<Part>(pulls[i], p), part_of<Part>(field_row, p));
+          const Part moved = half + dt * a;
+          const Part now = three_of(moved);
+          set_part(owns[i], p, moved);
+          set_part<Part>(motions[i], p, now + ahead * a);
+          set_part(pulls[i], p, Part{});
+          if (p == 0) v = centre_of(now);
+        }
+        places[i] += dt * v;
+        off[q] = promises.off(i, v - fallen);
       }
-      if (promises.broken(i, v - fallen)) [[unlikely]] {
-        promises.renew(rows(), i);
-        block.broke_promise.push_back(i);
+      const LaneMask broken = Promises::broken(off);
+      if (std::experimental::none_of(broken)) [[likely]]
+        continue;
+      for (std::size_t q = 0; q < count; ++q) {
+        if (!broken[q]) continue;
+        promises.renew(rows(), active[first + q]);
+        block.broke_promise.push_back(active[first + q]);
       }
     }
   }
@@ -224,7 +237,7 @@ class ColumnStepper {
   void add_drag(const Block& block) {
     const double container = physics_.lab_base_at(step_).velocity;
     for (const auto i : block.active) {
-      const auto& v = rows().seen[i].velocity;
+      const Four& v = rows().motion[i].velocity;
       const auto f = physics_.drag_force({v[0], v[1], v[2]}, container);
       rows().pull[block.pull][i].force += Four{f.x, f.y, f.z, 0};
     }
