@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -10,6 +11,22 @@
 #include "simulator/motion/column/pair_list.hpp"
 
 namespace shakebed::simulator {
+
+/// From the least to the largest of some numbers.
+struct Spread {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+
+  void take(double x) {
+    least = std::min(least, x);
+    largest = std::max(largest, x);
+  }
+  void take(const Spread& other) {
+    least = std::min(least, other.least);
+    largest = std::max(largest, other.largest);
+  }
+  double middle() const { return 0.5 * (least + largest); }
+};
 
 /// The part of a bed that one thread at a time works on: rows [begin, end), the pairs whose lower
 /// row is among them, and the walls that they may touch. Upper rows of some pairs belong to the
@@ -37,8 +54,8 @@ struct ColumnBlock {
   std::vector<std::uint32_t> asked;          ///< outer pairs that broken promises are about
   std::vector<std::uint32_t> found;          ///< of these, those to be listed
   bool outer_too_short = false;              ///< the outer list does not reach as far as promised
-  double sum_velocity = 0;                   ///< vertical, over its rows
-  double sum_drift = 0;
+  Spread velocity;                           ///< vertical, of its rows
+  Spread drift;                              ///< vertical, since the outer list was built
   double farthest = 0;
   std::vector<std::uint32_t> changed;
 

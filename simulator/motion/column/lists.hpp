@@ -23,7 +23,7 @@ class ColumnLists {
   using Block = ColumnBlock<Physics>;
 
   ColumnBlocks<Physics> blocks;
-  double bed_velocity = 0;  ///< vertical, at the window's beginning
+  double bed_velocity = 0;  ///< vertical, of the frame in which grains of this window go least far
   long outer_builds = 0;
 
   ColumnLists(const Physics& physics, const SizedGrains& start, long step,
@@ -192,22 +192,23 @@ class ColumnLists {
     promises_.begin_window();
     blocks.share([&](Block& block, std::size_t) {
       promises_.forget_contacts(block.begin, block.end);
-      block.sum_velocity = block.sum_drift = 0;
+      block.velocity = block.drift = {};
       for (std::uint32_t i = block.begin; i < block.end; ++i) {
-        block.sum_velocity += rows().own[i].half_velocity[2];
-        block.sum_drift += rows().position[i][2] - outer_.built_at()[i][2];
+        block.velocity.take(rows().own[i].half_velocity[2]);
+        block.drift.take(rows().position[i][2] - outer_.built_at()[i][2]);
       }
     });
     blocks.share([&](Block& block, std::size_t) { note_contacts(block); });
     note_contacts(blocks.far());
-    double velocity = 0;
-    double drift = 0;
-    for (const Block& block : blocks.all()) {
-      velocity += block.sum_velocity;
-      drift += block.sum_drift;
+    // A frame in which the fastest go as far as the slowest: where a shock runs through the bed,
+    // most grains move with the base and some fall towards them.
+    Spread velocity, drift;
+    for (std::size_t p = 0; p < blocks.cuts.count(); ++p) {
+      velocity.take(blocks.all()[p].velocity);
+      drift.take(blocks.all()[p].drift);
     }
-    bed_velocity = velocity / static_cast<double>(rows().count());
-    drift_ = drift / static_cast<double>(rows().count());
+    bed_velocity = velocity.middle();
+    drift_ = drift.middle();
     blocks.share([&](Block& block, std::size_t) { make_promises(block); });
   }
 
@@ -318,7 +319,7 @@ class ColumnLists {
   long window_ = 0;
   long window_begin_ = 0;
   long window_end_ = 0;
-  double drift_ = 0;  ///< of the bed's mean height since the outer list was built, at the beginning
+  double drift_ = 0;  ///< of the frame since the outer list was built, at the window's beginning
 };
 
 }  // namespace shakebed::simulator
