@@ -4,19 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulator/contact/cundall_strack.hpp"
-#include "simulator/contact/hertz.hpp"
-#include "simulator/contact/linear_overlap.hpp"
+#include "simulator/beds/column_engines.hpp"
 #include "simulator/grains/column_filling.hpp"
-#include "simulator/motion/column/reference.hpp"
-#include "simulator/motion/column/stepper.hpp"
 
 namespace shakebed::tests {
 
 using namespace simulator;
 
-template <class Overlap>
-using RoughColumn = ColumnPhysics<Overlap, CundallStrack, CundallStrack>;
 using LinearColumn = RoughColumn<LinearOverlap>;
 using HertzColumn = RoughColumn<HertzOverlap>;
 
