@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
+#include <vector>
 
 namespace shakebed::simulator {
 
@@ -22,6 +24,16 @@ inline Lanes load_lanes(const double* from) {
 }
 inline void store_lanes(double* to, const Lanes& lanes) {
   lanes.copy_to(to, std::experimental::element_aligned);
+}
+
+/// Adds from + q for each lane q that is set among the first `count`, in rising order. For lanes
+/// that are seldom set.
+[[gnu::always_inline]] inline void list_set_lanes(const LaneMask& set, std::size_t from,
+                                                  std::size_t count,
+                                                  std::vector<std::uint32_t>& found) {
+  for (std::size_t q = 0; q < std::min(lane_count, count); ++q) {
+    if (set[q]) found.push_back(static_cast<std::uint32_t>(from + q));
+  }
 }
 
 /// Puts value_of(q) of each lane q that is set at `out`, in rising order, and gives the place

@@ -38,15 +38,6 @@ class TouchCount {
   Lanes largest_overlap_{0.0};
 };
 
-/// Numbers of those lanes among the first `count` that are set, `from` on, go to `found`.
-[[gnu::always_inline]] inline void list_lanes(const LaneMask& lanes, std::size_t from,
-                                              std::size_t count,
-                                              std::vector<std::uint32_t>& found) {
-  for (std::size_t q = 0; q < std::min(lane_count, count); ++q) {
-    if (lanes[q]) found.push_back(static_cast<std::uint32_t>(from + q));
-  }
-}
-
 /// Adds the forces of the pairs in touch to their rows; the numbers of those that have come apart
 /// go to `ended`, in rising order. Some vectors are gathered, then evaluated, then added: the
 /// processor looks ahead about one vector only.
@@ -71,7 +62,7 @@ void touch_pairs(const Physics& physics, const ListedPairs<Physics::dimension>& 
       contact.evaluate(physics.grain_grain);
       if (!std::experimental::all_of(touching)) [[unlikely]] {
         contact.mask(touching);
-        list_lanes(!touching, k, n - k, ended);
+        list_set_lanes(!touching, k, n - k, ended);
       }
       sums.count(touching, contact.overlap, contact.dissipated_power);
     }
@@ -136,7 +127,7 @@ void find_begun(const ListedPairs<Physics::dimension>& list, const GridRow<Physi
     const LaneMask near =
         ContactVector<Physics>::squared_distances(rows, list.begin() + k) < touching;
     if (std::experimental::any_of(near)) [[unlikely]]
-      list_lanes(near, k, list.size() - k, begun);
+      list_set_lanes(near, k, list.size() - k, begun);
   }
 }
 

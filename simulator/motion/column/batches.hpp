@@ -135,9 +135,7 @@ PassResult touch_pairs(const Law& law, const RowStore& rows, List& list, PullRow
       pulls[b].centre = chosen(touching, f.force);
       if constexpr (Law::turns_grains) pulls[b].rim = chosen(touching, f.moment);
       if (touching_count(touching) == lane_count) continue;
-      for (std::size_t q = 0; q < lane_count && k + q < n; ++q) {
-        if (!touching[q]) ended.push_back(static_cast<std::uint32_t>(k + q));
-      }
+      list_set_lanes(!touching, k, n - k, ended);
     }
     for (std::size_t b = 0; b < vectors; ++b) {
       scatter_pairs<Law>(pull, list, first + b * lane_count, pulls[b]);
@@ -160,9 +158,7 @@ void find_begun(const RowStore& rows, const List& list, std::vector<std::uint32_
     const Lanes size = load_lanes(list.contact_size() + k);
     const LaneMask near = dot(r, r) < size * size;
     if (std::experimental::none_of(near)) continue;
-    for (std::size_t q = 0; q < lane_count && k + q < n; ++q) {
-      if (near[q]) begun.push_back(static_cast<std::uint32_t>(k + q));
-    }
+    list_set_lanes(near, k, n - k, begun);
   }
 }
 

@@ -2,31 +2,15 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
 #include "simulator/motion/column/contact_list.hpp"
+#include "simulator/motion/column/list_frame.hpp"
 #include "simulator/motion/column/near_walls.hpp"
 #include "simulator/motion/column/pair_list.hpp"
 
 namespace shakebed::simulator {
-
-/// From the least to the largest of some numbers.
-struct Spread {
-  double least = std::numeric_limits<double>::infinity();
-  double largest = -std::numeric_limits<double>::infinity();
-
-  void take(double x) {
-    least = std::min(least, x);
-    largest = std::max(largest, x);
-  }
-  void take(const Spread& other) {
-    least = std::min(least, other.least);
-    largest = std::max(largest, other.largest);
-  }
-  double middle() const { return 0.5 * (least + largest); }
-};
 
 /// The part of a bed that one thread at a time works on: rows [begin, end), the pairs whose lower
 /// row is among them, and the walls that they may touch. Upper rows of some pairs belong to the

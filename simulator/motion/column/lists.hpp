@@ -23,7 +23,6 @@ class ColumnLists {
   using Block = ColumnBlock<Physics>;
 
   ColumnBlocks<Physics> blocks;
-  double bed_velocity = 0;  ///< vertical, of the frame in which grains of this window go least far
   long outer_builds = 0;
 
   ColumnLists(const Physics& physics, const SizedGrains& start, long step,
@@ -92,9 +91,11 @@ class ColumnLists {
       });
       block.walls.list(rows(), i, physics_, base, window_, {left, promises_});
     }
-    for (std::size_t n = 0; n < block.asked.size(); n += lane_count) {
-      find_meeting(&block.asked[n], std::min(lane_count, block.asked.size() - n), step,
-                   block.found);
+    const auto place_of = [&](std::uint32_t i) { return place(i, step); };
+    const auto& asked = block.asked;
+    for (std::size_t n = 0; n < asked.size(); n += lane_count) {
+      promises_.find_meeting(outer_, &asked[n], std::min(lane_count, asked.size() - n), place_of,
+                             left, block.found);
     }
   }
 
@@ -118,7 +119,6 @@ class ColumnLists {
   void archive(Archive& a) {
     blocks.archive(a);
     outer_.archive(a);
-    a(bed_velocity);
     a(outer_builds);
     promises_.archive(a);
     free_.archive(a);
@@ -126,7 +126,7 @@ class ColumnLists {
     a(window_);
     a(window_begin_);
     a(window_end_);
-    a(drift_);
+    frame_.archive(a);
   }
 
  private:
@@ -141,52 +141,26 @@ class ColumnLists {
   }
   double whole_window() const { return static_cast<double>(window_steps + 1) * physics_.time_step; }
 
-  /// Of the first `count` numbers of outer pairs, those that may meet are found.
-  void find_meeting(const std::uint32_t* pairs, std::size_t count, long step,
-                    std::vector<std::uint32_t>& found) const {
-    std::uint32_t i[lane_count], j[lane_count];
-    Four x[lane_count];
-    alignas(64) double size[lane_count];
-    for (std::size_t q = 0; q < lane_count; ++q) {
-      const std::uint32_t k = pairs[std::min(q, count - 1)];
-      i[q] = outer_.i()[k];
-      j[q] = outer_.j()[k];
-      x[q] = place(i[q], step) - place(j[q], step);
-      size[q] = outer_.contact_size()[k];
-    }
-    const LaneMask meet = promises_.let_meet(i, j, transposed(x), load_lanes(size), left_at(step));
-    if (std::experimental::none_of(meet)) return;
-    for (std::size_t q = 0; q < count; ++q) {
-      if (meet[q]) found.push_back(pairs[q]);
-    }
-  }
-
   void wake(std::uint32_t i, long step) {
     if (!free_.flies(i)) return;
     free_.land(rows(), i, step);
     blocks.of_row(i).active.push_back(i);
   }
 
-  double relative_speed(std::uint32_t i) const {
-    Four v = rows().own[i].half_velocity;
-    v[2] -= bed_velocity;
-    return length(v);
-  }
-
-  /// How far row i has come since the outer list was built, apart from the bed's own drift.
+  /// How far row i has come since the outer list was built.
   double moved_since_build(std::uint32_t i, long step) const {
-    Four moved = rows().position[i] - outer_.built_at()[i];
-    moved[2] -=
-        drift_ + static_cast<double>(step - window_begin_) * physics_.time_step * bed_velocity;
-    return length(moved);
+    const double time = static_cast<double>(step - window_begin_) * physics_.time_step;
+    return frame_.way(outer_.built_at()[i], rows().position[i], time);
   }
 
-  /// How far row i may go in the bed's frame within `left` if it keeps its promise.
+  /// How far row i may go within `left` if it keeps its promise.
   double may_move(std::uint32_t i, double left) const {
-    return (relative_speed(i) + promises_.width(i) + physics_.largest_field() * left) * left;
+    return (frame_.speed_of(rows().own[i].half_velocity) + promises_.width(i) +
+            physics_.largest_field() * left) *
+           left;
   }
 
-  /// Sets bed velocity, drift and promises of a window that begins at `step`.
+  /// Sets frame and promises of a window that begins at `step`.
   void plan_window(long step) {
     window_begin_ = step;
     promises_.begin_window();
@@ -200,15 +174,12 @@ class ColumnLists {
     });
     blocks.share([&](Block& block, std::size_t) { note_contacts(block); });
     note_contacts(blocks.far());
-    // A frame in which the fastest go as far as the slowest: where a shock runs through the bed,
-    // most grains move with the base and some fall towards them.
     Spread velocity, drift;
     for (std::size_t p = 0; p < blocks.cuts.count(); ++p) {
       velocity.take(blocks.all()[p].velocity);
       drift.take(blocks.all()[p].drift);
     }
-    bed_velocity = velocity.middle();
-    drift_ = drift.middle();
+    frame_ = {velocity.middle(), drift.middle()};
     blocks.share([&](Block& block, std::size_t) { make_promises(block); });
   }
 
@@ -319,7 +290,7 @@ class ColumnLists {
   long window_ = 0;
   long window_begin_ = 0;
   long window_end_ = 0;
-  double drift_ = 0;  ///< of the frame since the outer list was built, at the window's beginning
+  ListFrame frame_;
 };
 
 }  // namespace shakebed::simulator

@@ -87,6 +87,28 @@ class Promises {
     return may_meet(dot(r, r), dot(r, velocity), dot(velocity, velocity), size, w[3], left);
   }
 
+  /// Of the first `count` of `pairs` of `list`, those that may meet within `left` are found. Row i
+  /// is at `place_of(i)`.
+  template <class PlaceOf>
+  void find_meeting(const OuterList& list, const std::uint32_t* pairs, std::size_t count,
+                    PlaceOf place_of, double left, std::vector<std::uint32_t>& found) const {
+    std::uint32_t i[lane_count], j[lane_count];
+    Four x[lane_count];
+    alignas(64) double size[lane_count];
+    for (std::size_t q = 0; q < lane_count; ++q) {
+      const std::uint32_t k = pairs[std::min(q, count - 1)];
+      i[q] = list.i()[k];
+      j[q] = list.j()[k];
+      x[q] = place_of(i[q]) - place_of(j[q]);
+      size[q] = list.contact_size()[k];
+    }
+    const LaneMask meet = let_meet(i, j, transposed(x), load_lanes(size), left);
+    if (std::experimental::none_of(meet)) return;
+    for (std::size_t q = 0; q < count; ++q) {
+      if (meet[q]) found.push_back(pairs[q]);
+    }
+  }
+
   template <class Archive>
   void archive(Archive& a) {
     a(of_);
