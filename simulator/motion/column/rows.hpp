@@ -35,7 +35,7 @@ template <bool turns_grains>
 using RowPart = std::conditional_t<turns_grains && lane_count == 8, Eight, Four>;
 /// How many parts of a row are worked on.
 template <bool turns_grains>
-inline constexpr std::size_t parts_of_row = turns_grains&& lane_count != 8 ? 2 : 1;
+inline constexpr std::size_t parts_of_row = !turns_grains || lane_count == 8 ? 1 : 2;
 
 template <class Part, class Row>
 [[gnu::always_inline]] inline Part part_of(const Row& row, std::size_t p) {

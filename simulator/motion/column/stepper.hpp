@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "simulator/motion/column/accelerate.hpp"
 #include "simulator/motion/column/batches.hpp"
 #include "simulator/motion/column/contacts_as_seen.hpp"
 #include "simulator/motion/column/lists.hpp"
@@ -116,17 +117,6 @@ class ColumnStepper {
 
   Four field_row(long step) const { return Four{0, 0, physics_.field_at(step), 0}; }
 
-  /// dv/dt and a d(omega)/dt, part by part.
-  template <class Part>
-  [[gnu::always_inline]] static Part acceleration(const Part& half, const Part& pull,
-                                                  const Part& field) {
-    return fourths_of(half) * pull + field;
-  }
-  static OwnRow accelerations(const OwnRow& own, const PullRow& pull, const Four& field) {
-    return {acceleration(own.half_velocity, pull.force, field),
-            acceleration(own.half_rim, pull.moment, Four{})};
-  }
-
   void take_up_spill() {
     lists_.blocks.share([&](Block&, std::size_t p) { lists_.blocks.take_up_spill(p); });
   }
@@ -173,16 +163,15 @@ class ColumnStepper {
   }
 
   void move_active(Block& block, const Four& field) {
-    using Part = RowPart<Physics::turns_grains>;
     const double dt = physics_.time_step;
     const double ahead = physics_.prediction();
     auto& promises = lists_.promises();
     const Four fallen = promises.fallen();
-    const OwnRow field_row{field, {}};
-    Four* places = rows().position.data();
-    MotionRow* motions = rows().motion.data();
-    OwnRow* owns = rows().own.data();
-    PullRow* pulls = rows().pull[block.pull].data();
+    const OwnRow fields{field, {}};
+    Four* place = rows().position.data();
+    MotionRow* motion = rows().motion.data();
+    OwnRow* own = rows().own.data();
+    PullRow* pull = rows().pull[block.pull].data();
     block.broke_promise.clear();
     const auto& active = block.active;
     for (std::size_t first = 0; first < active.size(); first += lane_count) {
@@ -190,29 +179,24 @@ class ColumnStepper {
       Four off[lane_count] = {};
       for (std::size_t q = 0; q < count; ++q) {
         const std::uint32_t i = active[first + q];
-        Four v;
-        for (std::size_t p = 0; p < parts_of_row<Physics::turns_grains>; ++p) {
-          const auto half = part_of<Part>(owns[i], p);
-          const Part a =
-              acceleration(half, part_of<Part>(pulls[i], p), part_of<Part>(field_row, p));
-          const Part moved = half + dt * a;
-          const Part now = three_of(moved);
-          set_part(owns[i], p, moved);
-          set_part<Part>(motions[i], p, now + ahead * a);
-          set_part(pulls[i], p, Part{});
-          if (p == 0) v = centre_of(now);
-        }
-        places[i] += dt * v;
+        const Four v =
+            accelerate<Physics::turns_grains>(own[i], motion[i], pull[i], fields, dt, ahead);
+        place[i] += dt * v;
         off[q] = promises.off(i, v - fallen);
       }
-      const LaneMask broken = Promises::broken(off);
-      if (std::experimental::none_of(broken)) [[likely]]
-        continue;
-      for (std::size_t q = 0; q < count; ++q) {
-        if (!broken[q]) continue;
-        promises.renew(rows(), active[first + q]);
-        block.broke_promise.push_back(active[first + q]);
-      }
+      note_broken(block, Promises::broken(off), active.data() + first, count);
+    }
+  }
+
+  [[gnu::always_inline]] void note_broken(Block& block, const LaneMask& broken,
+                                          const std::uint32_t* row, std::size_t count) {
+    if (std::experimental::none_of(broken)) [[likely]] {
+      return;
+    }
+    for (std::size_t q = 0; q < count; ++q) {
+      if (!broken[q]) continue;
+      lists_.promises().renew(rows(), row[q]);
+      block.broke_promise.push_back(row[q]);
     }
   }
 
