@@ -119,7 +119,7 @@ TEST_CASE("Shipped averages of the paper profile are known to 0.5 %, or say that
   CHECK(checked > 0);
 }
 
-// Beds of 15 and 20 layers, whose cycles are bounded, to 17 %.
+// Beds of 15 layers to 4 %, of 20, whose cycles are bounded, to 17 %.
 TEST_CASE("Shipped local temperatures are known to 3 % in each box with 1 % of the grains") {
   std::size_t checked = 0;
   for (const char* name : {"local.profiles.csv", "layers-local.profiles.csv"}) {
@@ -130,7 +130,8 @@ TEST_CASE("Shipped local temperatures are known to 3 % in each box with 1 % of t
       if (!rows.steady(row)) continue;
       if (rows(row, "grains_in_box") < 0.01 * rows(row, "grains")) continue;
       CAPTURE(name, row, rows(row, "W"), rows(row, "z"), rows(row, "grains_in_box"));
-      const double known_to = rows(row, "layers") > 10 ? 0.17 : 0.03;
+      const double layers = rows(row, "layers");
+      const double known_to = layers > 15 ? 0.17 : layers > 10 ? 0.04 : 0.03;
       CHECK(rows(row, "T_z_se") <= known_to * rows(row, "T_z"));
       ++checked;
     }
